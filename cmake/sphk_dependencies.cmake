@@ -1,0 +1,8 @@
+# Host libraries, all packaged by Debian: HDF5, fmt, toml11, CLI11, nlohmann-json, Eigen.
+
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(fmt REQUIRED)
+find_package(toml11 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Eigen3 REQUIRED)
