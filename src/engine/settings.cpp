@@ -1,0 +1,120 @@
+#include "src/engine/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <stdexcept>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace {
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int substituted = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
+const char* type_name(const Value& value) {
+  constexpr const char* names[] = {"true or false", "an integer", "a number", "a string"};
+  return names[value.index()];
+}
+
+Value converted(const Key& key, const Value& value) {
+  if (value.index() == key.value.index()) return value;
+  if (std::holds_alternative<double>(key.value) && std::holds_alternative<std::int64_t>(value))
+    return static_cast<double>(std::get<std::int64_t>(value));
+  throw InputError(fmt::format("{} = {}: {} is wanted here", key.name, to_text(value), type_name(key.value)));
+}
+
+void check_range(const Key& key, const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    if (key.choices.empty() || std::ranges::find(key.choices, *text) != key.choices.end()) return;
+    throw InputError(fmt::format("{} = \"{}\": choose one of {}", key.name, *text, fmt::join(key.choices, ", ")));
+  }
+  double number = 0;
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*integer);
+  else if (const auto* real = std::get_if<double>(&value)) number = *real;
+  else return;
+  if (!(number >= key.min && number <= key.max))
+    throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
+}
+
+template <class T>
+bool parse(std::string_view text, T& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::string to_text(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *text);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+  const std::string text = fmt::format("{}", std::get<double>(value));
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+void Settings::declare(Key key) {
+  if (has(key.name)) throw std::logic_error("the key " + key.name + " is declared twice");
+  keys_.push_back(std::move(key));
+}
+
+void Settings::prefer(std::string_view name, Value value) { set(name, value, Origin::scene); }
+
+void Settings::set(std::string_view name, const Value& value, Origin origin) {
+  Key& key = const_cast<Key&>(find(name));
+  const Value typed = converted(key, value);
+  check_range(key, typed);
+  key.value = typed;
+  key.origin = origin;
+}
+
+void Settings::set_from_text(std::string_view name, std::string_view text, Origin origin) {
+  const Key& key = find(name);
+  double real = 0;
+  std::int64_t integer = 0;
+  if (std::holds_alternative<std::string>(key.value)) return set(name, std::string(text), origin);
+  if (text == "true" || text == "false") return set(name, text == "true", origin);
+  if (parse(text, integer)) return set(name, integer, origin);
+  if (parse(text, real)) return set(name, real, origin);
+  throw InputError(fmt::format("{} = {}: {} is wanted here", name, text, type_name(key.value)));
+}
+
+bool Settings::has(std::string_view name) const {
+  return std::ranges::any_of(keys_, [&](const Key& key) { return key.name == name; });
+}
+
+std::string Settings::nearest(std::string_view name) const {
+  const auto leaf = [](std::string_view path) { return path.substr(path.rfind('.') + 1); };
+  std::string best;
+  int best_distance = std::numeric_limits<int>::max();
+  for (const Key& key : keys_) {
+    const int distance = std::min(edit_distance(name, key.name), 1 + edit_distance(leaf(name), leaf(key.name)));
+    if (distance < best_distance) best_distance = distance, best = key.name;
+  }
+  return best;
+}
+
+const Key& Settings::find(std::string_view name) const {
+  const auto it = std::ranges::find(keys_, name, &Key::name);
+  if (it == keys_.end())
+    throw InputError(fmt::format("there is no key \"{}\"; did you mean \"{}\"?", name, nearest(name)));
+  return *it;
+}
+
+}  // namespace sphk

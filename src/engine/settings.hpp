@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace sphk {
+
+using Value = std::variant<bool, std::int64_t, double, std::string>;
+
+/// Who decided a value; later ones win.
+enum class Origin { standard, scene, file, command_line };
+
+/// One configuration key: `name` is its path in a scene file, such as "sph.kernel".
+struct Key {
+  std::string name;
+  Value value;                       ///< the default; its type is the key's type
+  std::string doc;                   ///< one line, with the unit
+  std::vector<std::string> choices;  ///< allowed strings; empty: any
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  Origin origin = Origin::standard;
+};
+
+/// Every key that a run knows, with its value and who set it. Unknown names, wrong types and values out of range throw
+/// InputError with the nearest name or the allowed values.
+class Settings {
+ public:
+  void declare(Key key);
+  /// Changes the default of a declared key (a scene's own choice).
+  void prefer(std::string_view name, Value value);
+  /// An integer is accepted where a real is wanted.
+  void set(std::string_view name, const Value& value, Origin origin);
+  /// Parses `text` by the key's type, as in `--set name=text`.
+  void set_from_text(std::string_view name, std::string_view text, Origin origin);
+
+  template <class T>
+  const T& get(std::string_view name) const {
+    return std::get<T>(find(name).value);
+  }
+  bool flag(std::string_view name) const { return get<bool>(name); }
+  std::int64_t integer(std::string_view name) const { return get<std::int64_t>(name); }
+  double real(std::string_view name) const { return get<double>(name); }
+  const std::string& text(std::string_view name) const { return get<std::string>(name); }
+
+  bool has(std::string_view name) const;
+  const std::vector<Key>& keys() const { return keys_; }
+  /// The known name closest to `name` by edit distance, for error messages.
+  std::string nearest(std::string_view name) const;
+
+ private:
+  const Key& find(std::string_view name) const;
+  std::vector<Key> keys_;
+};
+
+/// `value` as TOML would write it.
+std::string to_text(const Value& value);
+
+}  // namespace sphk

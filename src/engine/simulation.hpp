@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/engine/particle_set.hpp"
+
+namespace sphk {
+
+/// Numbers of a run that the schemes read; names as in the settings' sections.
+struct SimulationSettings {
+  std::string scheme = "sph";       ///< sph | tsph | gadget2
+  std::string kernel = "cs";        ///< any name of kernel_names()
+  std::string precision = "mixed";  ///< mixed (float pairs, double state) | double
+  std::string energy = "entropy";   ///< entropy | energy: the thermal variable that is integrated
+  double neighbours = 48;           ///< N_n of S12 eq 11
+  double gamma = 5.0 / 3;
+  double courant = 0.4;
+  double viscosity_alpha = 1;
+  double viscosity_beta = 2;
+  double h_max = 0;   ///< cap of the support radius; 0: none but the box
+  double max_dt = 0;  ///< 0: no cap
+};
+
+/// Conserved sums and extremes over all particles, at the current time.
+struct Totals {
+  double mass = 0, kinetic = 0, thermal = 0;
+  Array3 momentum{}, angular_momentum{};
+  double max_speed = 0;
+  double min_density = 0, max_density = 0, min_pressure = 0, max_pressure = 0, min_entropy = 0, max_entropy = 0;
+  double energy() const { return kinetic + thermal; }
+};
+
+/// What the last step did.
+struct StepReport {
+  long step = 0;
+  double time = 0, dt = 0;
+  long updates = 0;  ///< particles whose rates were computed
+  double min_neighbours = 0, mean_neighbours = 0, max_neighbours = 0;  ///< true neighbours, self included
+  std::uint64_t limiting_id = 0;                                       ///< the particle that set dt
+  Array3 limiting_x{};
+};
+
+/// Running costs since the start, set-up excluded.
+struct Costs {
+  long updates = 0;
+  double pair_interactions = 0;                      ///< pairs inside the support, as seen by the rates pass
+  double flops = 0;                                  ///< counted from the terms' declarations, on pairs inside the support
+  double bytes_per_particle = 0;                     ///< device memory
+  std::vector<std::pair<std::string, double>> phases;  ///< name, seconds, in the order of a step
+};
+
+/// A run in progress. Created by make_simulation (src/schemes/registry.hpp).
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+  /// Advances by one time-step, cut short so that it never passes `t_end`. Throws NumericsError.
+  virtual StepReport step(double t_end) = 0;
+  virtual double time() const = 0;
+  virtual std::size_t size() const = 0;
+  virtual Totals totals() const = 0;
+  virtual Costs costs() const = 0;
+  virtual StepReport last_step() const = 0;
+  /// Everything to the host, sorted by id.
+  virtual Snapshot snapshot() const = 0;
+  /// One right-hand side at the current state, as `sphk rates` writes it: SmoothingLength, Density, VelocityDivergence,
+  /// VelocityCurl, Acceleration, EntropyRate, NeighbourCount, E0, ...; with `split` each term apart as well.
+  virtual std::vector<Field> rates(bool split) = 0;
+  /// Sentences the user should read once, such as particles whose neighbour number could not be met.
+  virtual std::vector<std::string> warnings() const = 0;
+};
+
+/// What a scheme consists of, for `sphk show` and run.json.
+struct SchemeDescription {
+  std::string scheme, kernel, precision;
+  int dimension = 3;
+  bool tabulated = false;  ///< the kernel is not on the scheme's curated list and runs through the table
+  std::vector<std::string> passes, terms, fields, left_out;
+  double bytes_per_particle = 0;
+  double flops_per_pair = 0;
+};
+
+}  // namespace sphk

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/engine/particle_set.hpp"
+#include "src/engine/settings.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace sphk {
+
+/// Gas state of an exact solution at one place and time.
+struct GasState {
+  double rho = 0;
+  Array3 v{};
+  double P = 0;
+};
+
+/// One error norm: mean |error| (l1), root mean square (l2), largest (linf) and where the largest sits.
+struct ErrorNorm {
+  double l1 = 0, l2 = 0, linf = 0;
+  Array3 where{};
+};
+
+/// How `sphk plot` draws a scene: against which coordinate, which fields, over which range.
+struct PlotHint {
+  std::string abscissa = "x";  ///< x | R (cylindrical) | r (spherical)
+  std::vector<std::string> fields{"rho", "v", "P"};
+  double from = 0, to = 1;
+  Array3 centre{};
+};
+
+/// A named test problem: defaults, initial condition, exact solution, what it measures.
+class Scene {
+ public:
+  virtual ~Scene() = default;
+  virtual std::string name() const = 0;
+  /// One line for `sphk list`.
+  virtual std::string summary() const = 0;
+  /// Declares the keys of [scene] and prefers the engine keys that suit it (scheme, kernel, neighbours, gamma, time.end).
+  virtual void declare(Settings& settings) const = 0;
+  virtual ParticleSet build(const Settings& settings) const = 0;
+  /// The exact solution, if there is one.
+  virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }
+  /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no reference.
+  virtual std::map<std::string, ErrorNorm> errors(const Settings&, const Snapshot&) const { return {}; }
+  /// The scene's own columns of history.csv.
+  virtual std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot&) const { return {}; }
+  virtual PlotHint plot_hint(const Settings&) const { return {}; }
+};
+
+/// Every scene, in the order of `sphk list`.
+const std::vector<const Scene*>& scenes();
+/// The scene of that name; throws InputError with the nearest name.
+const Scene& find_scene(const std::string& name);
+
+}  // namespace sphk
