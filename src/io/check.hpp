@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/engine/particle_set.hpp"
+
+namespace sphk {
+
+/// One kind of problem among the particles, with the first few that show it.
+struct Finding {
+  /// `error`: no run can start from this. `notice`: it can, but it is rarely meant (coincident, outside the box).
+  enum class Severity { error, notice };
+  struct Example {
+    std::size_t index = 0;  ///< row, from 0
+    std::uint64_t id = 0;
+    Array3 x{};
+  };
+  Severity severity = Severity::error;
+  std::string problem;  ///< such as "zero or negative mass"
+  std::size_t count = 0;
+  std::vector<Example> examples;
+};
+
+/// NaN and infinities, zero or negative masses, negative specific thermal energies, duplicate ids, particles at exactly
+/// the same place and particles outside the box; empty when all is well. O(n log n).
+std::vector<Finding> check_particles(const ParticleSet& particles);
+
+/// One line: the count, the problem, index, id and position of the first few.
+std::string to_text(const Finding& finding);
+
+}  // namespace sphk

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/engine/particle_set.hpp"
+#include "src/engine/settings.hpp"
+
+namespace sphk {
+
+/// What a snapshot tells about the run it belongs to.
+struct SnapshotInfo {
+  std::string scene;
+  std::string scheme = "sph";
+  std::string kernel = "cs";
+  std::string precision = "mixed";
+  std::string backend;       ///< Kokkos execution space, such as "OpenMP"
+  std::string version;       ///< of sphk
+  std::string git_revision;  ///< of sphk
+  std::string scene_text;    ///< the complete scene file (TOML)
+  double neighbours = 48;    ///< N_n of S12 eq 11
+  double courant = 0.4;
+  std::uint64_t seed = 0;
+  Settings settings;  ///< every key is echoed under /Parameters
+};
+
+enum class Compression { none, gzip };
+
+/// Writes `snapshot` as one HDF5 file that yt, pynbody, swiftsimio, SPLASH and ParaView open: SWIFT's layout, GADGET's
+/// singular names and a /VTKHDF group as hard links. Lengths, masses and times are in code units, which count as cgs.
+/// The file appears under its name only when it is complete and on the disk. Throws InputError when the folder cannot be
+/// written, the disk is full, or a field does not have `snapshot.size()` rows.
+void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
+                    Compression compression = Compression::none);
+
+/// Writes `fields` (n rows each, in the order of `ids`) under PartType0 beside ParticleIDs, with the Header of a
+/// snapshot and the units of each field: the output of `sphk rates`. Errors as for write_snapshot.
+void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
+                  const SnapshotInfo& info);
+
+/// One snapshot of a run: its file name within the folder and its time.
+struct SeriesEntry {
+  std::string name;
+  double time = 0;
+};
+
+/// Writes `folder`/run.hdf.series, the text by which ParaView opens all snapshots of a run.
+void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries);
+
+}  // namespace sphk
