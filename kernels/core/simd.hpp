@@ -1,0 +1,159 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <Kokkos_SIMD.hpp>
+#include <type_traits>
+
+namespace sphk {
+
+namespace stdx = Kokkos::Experimental;
+
+/// Lanes of T that one vector register of the host holds; 1 where Kokkos has no packs for it.
+#if defined(KOKKOS_ARCH_AVX512XEON)
+template <class T>
+inline constexpr int native_lanes = 64 / static_cast<int>(sizeof(T));
+template <class T, int W>
+using PackAbi = stdx::simd_abi::avx512_fixed_size<W>;
+#elif defined(KOKKOS_ARCH_AVX2)
+template <class T>
+inline constexpr int native_lanes = 32 / static_cast<int>(sizeof(T));
+template <class T, int W>
+using PackAbi = stdx::simd_abi::avx2_fixed_size<W>;
+#else
+template <class T>
+inline constexpr int native_lanes = 1;
+template <class T, int W>
+using PackAbi = stdx::simd_abi::scalar;
+#endif
+
+namespace detail {
+template <class T, int W>
+struct SimdType {
+  using type = stdx::basic_simd<T, PackAbi<T, W>>;
+};
+template <class T>
+struct SimdType<T, 1> {
+  using type = T;
+};
+}  // namespace detail
+
+/// W numbers of type T side by side; simd<T, 1> is T itself, which is what a GPU thread uses.
+template <class T, int W>
+using simd = typename detail::SimdType<T, W>::type;
+
+template <class T>
+concept Scalar = std::is_arithmetic_v<T>;
+
+namespace detail {
+template <class P>
+struct LaneType {
+  using type = typename P::value_type;
+};
+template <Scalar T>
+struct LaneType<T> {
+  using type = T;
+};
+}  // namespace detail
+
+/// The number type of one lane.
+template <class P>
+using lane_t = typename detail::LaneType<P>::type;
+
+template <class P>
+inline constexpr int lanes = [] {
+  if constexpr (Scalar<P>) return 1;
+  else return static_cast<int>(P::size());
+}();
+
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T max(T a, T b) {
+  return a < b ? b : a;
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T min(T a, T b) {
+  return b < a ? b : a;
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T abs(T a) {
+  return a < T(0) ? -a : a;
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T sqrt(T a) {
+  return Kokkos::sqrt(a);
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T sum_lanes(T a) {
+  return a;
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION T max_lanes(T a) {
+  return a;
+}
+
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION stdx::basic_simd<T, A> max(const stdx::basic_simd<T, A>& a,
+                                                       const std::type_identity_t<stdx::basic_simd<T, A>>& b) {
+  return Kokkos::max(a, b);
+}
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION stdx::basic_simd<T, A> min(const stdx::basic_simd<T, A>& a,
+                                                       const std::type_identity_t<stdx::basic_simd<T, A>>& b) {
+  return Kokkos::min(a, b);
+}
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION stdx::basic_simd<T, A> abs(const stdx::basic_simd<T, A>& a) {
+  return Kokkos::abs(a);
+}
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION stdx::basic_simd<T, A> sqrt(const stdx::basic_simd<T, A>& a) {
+  return Kokkos::sqrt(a);
+}
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION stdx::basic_simd<T, A> select(const stdx::basic_simd_mask<T, A>& condition,
+                                                          const std::type_identity_t<stdx::basic_simd<T, A>>& yes,
+                                                          const std::type_identity_t<stdx::basic_simd<T, A>>& no) {
+  return stdx::condition(condition, yes, no);
+}
+
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION void store(T* to, const stdx::basic_simd<T, A>& a) {
+  a.copy_to(to, stdx::simd_flag_default);
+}
+template <Scalar T>
+KOKKOS_FORCEINLINE_FUNCTION void store(T* to, T a) {
+  *to = a;
+}
+
+/// Reads lanes<P> numbers from any address.
+template <class P>
+KOKKOS_FORCEINLINE_FUNCTION P load(const lane_t<P>* from) {
+  if constexpr (Scalar<P>) return *from;
+  else return P(from, stdx::simd_flag_default);
+}
+
+/// The sum over the lanes, in a fixed order.
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION T sum_lanes(const stdx::basic_simd<T, A>& a) {
+  constexpr int width = static_cast<int>(stdx::basic_simd<T, A>::size());
+  T lane[width];
+  store(lane, a);
+  for (int half = width / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) lane[k] += lane[k + half];
+  return lane[0];
+}
+
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION T max_lanes(const stdx::basic_simd<T, A>& a) {
+  constexpr int width = static_cast<int>(stdx::basic_simd<T, A>::size());
+  T lane[width];
+  store(lane, a);
+  for (int half = width / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) lane[k] = max(lane[k], lane[k + half]);
+  return lane[0];
+}
+
+}  // namespace sphk

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <type_traits>
+
+namespace sphk {
+
+/// A compile-time list of types.
+template <class... Ts>
+struct List {
+  static constexpr int size = sizeof...(Ts);
+};
+
+namespace detail {
+
+template <class T, class L>
+struct Contains;
+template <class T, class... Ts>
+struct Contains<T, List<Ts...>> : std::bool_constant<(std::is_same_v<T, Ts> || ...)> {};
+
+template <class Out, class... Ls>
+struct Unite {
+  using type = Out;
+};
+template <class... Os, class T, class... Ts, class... Ls>
+struct Unite<List<Os...>, List<T, Ts...>, Ls...>
+    : Unite<std::conditional_t<Contains<T, List<Os...>>::value, List<Os...>, List<Os..., T>>, List<Ts...>, Ls...> {};
+template <class Out, class... Ls>
+struct Unite<Out, List<>, Ls...> : Unite<Out, Ls...> {};
+
+}  // namespace detail
+
+template <class T, class L>
+inline constexpr bool contains = detail::Contains<T, L>::value;
+
+/// All types of the lists, each once, in the order of first appearance.
+template <class... Ls>
+using Union = typename detail::Unite<List<>, Ls...>::type;
+
+/// Calls f.template operator()<T>() for every T of the list.
+template <class... Ts, class F>
+constexpr void for_each_type(List<Ts...>, F&& f) {
+  (f.template operator()<Ts>(), ...);
+}
+
+template <class Small, class Large>
+inline constexpr bool is_subset = false;
+template <class... Ts, class Large>
+inline constexpr bool is_subset<List<Ts...>, Large> = (contains<Ts, Large> && ...);
+
+}  // namespace sphk
