@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/io/reader.hpp"
+#include "src/scenes/scene.hpp"
+
+namespace sphk {
+
+/// An initial-condition file that runs like a scene: gamma from the file where it says so, no exact solution.
+class FileScene : public Scene {
+ public:
+  static constexpr const char* scene_name = "file";
+
+  /// Reads the file at once; throws InputError when it is no readable initial condition.
+  explicit FileScene(const std::filesystem::path& path);
+
+  std::string name() const override { return scene_name; }
+  std::string summary() const override;
+  /// Declares scene.file and scene.periodic. The end time has no useful default, so time.end is the file's own time.
+  void declare(Settings& settings) const override;
+  /// Throws InputError listing what check_particles calls an error.
+  ParticleSet build(const Settings& settings) const override;
+  PlotHint plot_hint(const Settings& settings) const override;
+  /// What the reader assumed, made or left out, and what check_particles noticed.
+  const std::vector<std::string>& remarks() const { return content_.remarks; }
+
+ private:
+  std::filesystem::path path_;
+  ReadResult content_;
+  std::vector<std::string> errors_;
+};
+
+}  // namespace sphk

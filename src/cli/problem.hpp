@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/engine/settings.hpp"
+#include "src/scenes/scene.hpp"
+
+namespace sphk {
+
+/// A key set on the command line: `spelling` is what the user typed ("--set sph.kernel=cs", "--kernel cs").
+struct Override {
+  std::string name, text, spelling;
+};
+
+/// What to compute: a scene and its complete settings.
+struct Problem {
+  const Scene* scene = nullptr;
+  std::unique_ptr<Scene> owned;  ///< keeps the scene of an initial-condition file alive
+  Settings settings;
+};
+
+/// Declares the keys of the sections [time] and [output] that the run loop reads.
+void declare_run_keys(Settings& settings);
+
+/// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). Throws one InputError that lists
+/// every unknown key, wrong type and value out of range of the file and of the overrides.
+Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides);
+
+/// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one), for
+/// commands that only need their number and state.
+Settings with_lattice(const Settings& settings);
+
+}  // namespace sphk

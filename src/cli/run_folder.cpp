@@ -1,0 +1,57 @@
+#include "src/cli/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Does a run leave a file of this name?
+bool is_run_file(const std::string& name) {
+  for (const char* fixed : {"scene.used.toml", "history.csv", "run.json", "run.hdf.series"})
+    if (name == fixed) return true;
+  return (name.starts_with("snap_") && (name.ends_with(".hdf5") || name.ends_with(".png"))) || name == "history.png";
+}
+
+std::vector<fs::path> run_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_run_file(entry.path().filename().string())) files.push_back(entry.path());
+  return files;
+}
+
+fs::path make_free_folder(const std::string& name) {
+  for (int number = 1;; ++number) {
+    const fs::path folder = number == 1 ? name + "-run" : fmt::format("{}-run-{}", name, number);
+    if (!fs::exists(folder) && fs::create_directory(folder)) return folder;
+  }
+}
+
+fs::path make_asked_folder(const fs::path& folder, bool overwrite) {
+  fs::create_directories(folder);
+  const auto previous = run_files(folder);
+  if (previous.empty()) return folder;
+  if (!overwrite)
+    throw InputError(fmt::format("{} already holds a run; name another folder with --out, or add --overwrite to replace it",
+                                 folder.string()));
+  for (const fs::path& file : previous) fs::remove(file);
+  return folder;
+}
+
+}  // namespace
+
+fs::path make_run_folder(const std::string& name, const std::optional<fs::path>& asked, bool overwrite) {
+  try {
+    return asked ? make_asked_folder(*asked, overwrite) : make_free_folder(name);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot make the run's folder: {}; choose another place with --out", error.what()));
+  }
+}
+
+}  // namespace sphk

@@ -1,0 +1,67 @@
+#include "src/report/final_table.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "src/report/machine.hpp"
+#include "src/report/quantity.hpp"
+
+namespace sphk {
+
+namespace {
+
+using Text = std::back_insert_iterator<std::string>;
+
+void phase_row(Text out, const std::string& name, double seconds, const RunRecord& r) {
+  const double updates = static_cast<double>(r.costs.updates);
+  const double share = r.wall_seconds > 0 ? 100 * seconds / r.wall_seconds : 0;
+  fmt::format_to(out, "  {:<24} {:>9.3f} {:>6.1f} {:>12.3f}\n", name, seconds, share,
+                 updates > 0 ? 1e6 * seconds / updates : 0);
+}
+
+void phases(Text out, const RunRecord& r) {
+  fmt::format_to(out, "  {:<24} {:>9} {:>6} {:>12}\n", "phase", "seconds", "%", "us/update");
+  double listed = 0;
+  for (const auto& [name, seconds] : r.costs.phases) {
+    phase_row(out, name, seconds, r);
+    listed += seconds;
+  }
+  if (r.wall_seconds > listed) phase_row(out, "other", r.wall_seconds - listed, r);
+  phase_row(out, "time loop", r.wall_seconds, r);
+  fmt::format_to(out, "  set-up {}, output {}, CPU of the time loop {}\n", duration_text(r.setup_seconds),
+                 duration_text(r.output_seconds), duration_text(r.cpu_seconds));
+}
+
+void rates(Text out, const RunRecord& r) {
+  fmt::format_to(out, "  {} steps, {} updates: {} updates/s, {} pairs/s\n", r.steps,
+                 with_prefix(static_cast<double>(r.costs.updates)), with_prefix(r.updates_per_second()),
+                 with_prefix(r.pairs_per_second()));
+  fmt::format_to(out, "  {}FLOP/s, {:.1f} % of the measured FMA peak of {}FLOP/s\n", with_prefix(r.flops_per_second()),
+                 100 * r.share_of_peak(), with_prefix(r.platform.fma_peak));
+  fmt::format_to(out, "  peak memory {}, {:.0f} bytes per particle on the device\n", bytes_text(peak_memory_bytes()),
+                 r.costs.bytes_per_particle);
+}
+
+void physics(Text out, const RunRecord& r) {
+  const Conservation& c = r.conservation;
+  fmt::format_to(out, "  relative drift: energy {:.2e}, momentum {:.2e}, angular momentum {:.2e}, mass {:.2e}\n", c.energy,
+                 c.momentum, c.angular_momentum, c.mass);
+  for (const auto& [field, norm] : r.errors)
+    fmt::format_to(out, "  error of {:<16} L1 {:<10.4g} L2 {:<10.4g} Linf {:<10.4g} at ({:.4g}, {:.4g}, {:.4g})\n", field,
+                   norm.l1, norm.l2, norm.linf, norm.where[0], norm.where[1], norm.where[2]);
+}
+
+}  // namespace
+
+std::string final_table(const RunRecord& record) {
+  std::string text;
+  const Text out(text);
+  phases(out, record);
+  rates(out, record);
+  physics(out, record);
+  for (const auto& warning : record.warnings) fmt::format_to(out, "  note: {}\n", warning);
+  return text;
+}
+
+}  // namespace sphk

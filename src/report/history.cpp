@@ -1,0 +1,68 @@
+#include "src/report/history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// The standard columns and their values, in the file's order.
+History::Measures standard_columns(const StepReport& step, const Totals& t) {
+  const auto& p = t.momentum;
+  const auto& l = t.angular_momentum;
+  return {{"step", static_cast<double>(step.step)},
+          {"time", step.time},
+          {"dt", step.dt},
+          {"kinetic_energy", t.kinetic},
+          {"thermal_energy", t.thermal},
+          {"total_energy", t.energy()},
+          {"momentum_x", p[0]},
+          {"momentum_y", p[1]},
+          {"momentum_z", p[2]},
+          {"angular_momentum_x", l[0]},
+          {"angular_momentum_y", l[1]},
+          {"angular_momentum_z", l[2]},
+          {"mass", t.mass},
+          {"max_speed", t.max_speed},
+          {"min_rho", t.min_density},
+          {"max_rho", t.max_density},
+          {"min_P", t.min_pressure},
+          {"max_P", t.max_pressure},
+          {"min_A", t.min_entropy},
+          {"max_A", t.max_entropy}};
+}
+
+double value_of(const History::Measures& measures, const std::string& name) {
+  const auto it = std::ranges::find(measures, name, &History::Measures::value_type::first);
+  return it == measures.end() ? std::numeric_limits<double>::quiet_NaN() : it->second;
+}
+
+}  // namespace
+
+History::History(const std::filesystem::path& path) : path_(path), file_(path) {
+  if (!file_) throw InputError(fmt::format("cannot write {}: does the folder exist, and may you write there?", path.string()));
+}
+
+void History::add(const StepReport& step, const Totals& totals, const Measures& measures) {
+  Measures columns = standard_columns(step, totals);
+  if (!started_) {
+    for (const auto& [name, value] : measures) measures_.push_back(name);
+    std::vector<std::string> names;
+    for (const auto& [name, value] : columns) names.push_back(name);
+    names.insert(names.end(), measures_.begin(), measures_.end());
+    file_ << fmt::format("{}\n", fmt::join(names, ","));
+    started_ = true;
+  }
+  std::vector<double> row;
+  for (const auto& [name, value] : columns) row.push_back(value);
+  for (const auto& name : measures_) row.push_back(value_of(measures, name));
+  file_ << fmt::format("{:.17g}\n", fmt::join(row, ",")) << std::flush;
+  if (!file_) throw InputError(fmt::format("cannot write {}: is the disk full?", path_.string()));
+}
+
+}  // namespace sphk

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/engine/simulation.hpp"
+
+namespace sphk {
+
+/// history.csv: one row an output time. The first row fixes the columns: the standard ones, then the measures' names.
+class History {
+ public:
+  using Measures = std::vector<std::pair<std::string, double>>;
+
+  /// Opens (and empties) `path`; throws InputError where that fails.
+  explicit History(const std::filesystem::path& path);
+  /// Appends a row and flushes it. A measure that the first row did not have is left out; one it had and this row has
+  /// not is "nan".
+  void add(const StepReport& step, const Totals& totals, const Measures& measures);
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+  std::vector<std::string> measures_;
+  bool started_ = false;
+};
+
+}  // namespace sphk

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace sphk {
+
+/// The processor's name, and its family and model where Linux tells them ("AMD EPYC (family 25, model 1), 2 cores").
+std::string machine_name();
+
+/// The largest memory that this process has held resident, in bytes.
+double peak_memory_bytes();
+
+/// Wall-clock seconds and CPU seconds of all threads of this process since its construction.
+class Stopwatch {
+ public:
+  Stopwatch();
+  double wall() const;
+  double cpu() const;
+
+ private:
+  double wall_start_, cpu_start_;
+};
+
+}  // namespace sphk

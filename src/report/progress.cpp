@@ -1,0 +1,118 @@
+#include "src/report/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "src/report/quantity.hpp"
+
+namespace sphk {
+
+namespace {
+
+int columns(std::FILE* out) {
+  winsize size{};
+  return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+std::string neighbours(const StepReport& s) {
+  return fmt::format("{:.0f}/{:.1f}/{:.0f}", s.min_neighbours, s.mean_neighbours, s.max_neighbours);
+}
+
+std::string limiter(const StepReport& s) {
+  return fmt::format("#{} at ({:.4g}, {:.4g}, {:.4g})", s.limiting_id, s.limiting_x[0], s.limiting_x[1], s.limiting_x[2]);
+}
+
+}  // namespace
+
+ProgressStyle style_for(std::FILE* out) { return isatty(fileno(out)) ? ProgressStyle::bar : ProgressStyle::lines; }
+
+Progress::Progress(ProgressStyle style, Span span, std::FILE* out)
+    : style_(style), span_(span), out_(out), last_time_(span.from) {}
+
+Progress::~Progress() {
+  if (open_bar_) fmt::print(out_, "\n");
+}
+
+bool Progress::due() const {
+  return !started_ || watch_.wall() - last_wall_ >= (style_ == ProgressStyle::bar ? 0.2 : 5.0);
+}
+
+void Progress::report(const StepReport& step, long updates, double energy_drift) {
+  const Speed now = speed(step, updates);
+  switch (style_) {
+    case ProgressStyle::bar: print_bar(step, now, energy_drift); break;
+    case ProgressStyle::lines: print_line(step, now, energy_drift); break;
+    case ProgressStyle::json: print_json(step, now, energy_drift); break;
+  }
+  std::fflush(out_);
+  started_ = true;
+  last_wall_ = watch_.wall();
+  last_time_ = step.time;
+  last_step_ = step.step;
+  last_updates_ = updates;
+}
+
+void Progress::say(const std::string& line) {
+  if (style_ == ProgressStyle::json) return fmt::print(out_, "{}\n", nlohmann::json{{"message", line}}.dump());
+  fmt::print(out_, "{}{}\n", open_bar_ ? "\n" : "", line);
+  open_bar_ = false;
+  std::fflush(out_);
+}
+
+double Progress::done(const StepReport& step) const {
+  const double in_time = (step.time - span_.from) / std::max(span_.to - span_.from, 1e-300);
+  const double in_steps = span_.steps > 0 ? static_cast<double>(step.step) / static_cast<double>(span_.steps) : 0;
+  return std::clamp(std::max(in_time, in_steps), 0.0, 1.0);
+}
+
+Progress::Speed Progress::speed(const StepReport& step, long updates) const {
+  const double wall = std::max(watch_.wall() - last_wall_, 1e-9);
+  const double steps = static_cast<double>(std::max(step.step - last_step_, 1L));
+  const double dt = (step.time - last_time_) / steps;
+  double steps_left = dt > 0 ? (span_.to - step.time) / dt : 0;
+  if (span_.steps > 0) steps_left = std::min(steps_left, static_cast<double>(span_.steps - step.step));
+  return {static_cast<double>(updates - last_updates_) / wall, std::max(steps_left, 0.0) * wall / steps};
+}
+
+void Progress::print_bar(const StepReport& step, const Speed& speed, double energy_drift) {
+  constexpr int width = 20;
+  const double part = done(step);
+  const int filled = static_cast<int>(part * width);
+  std::string line = fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %  {} left  t {:.4g}  dt {:.2e}  step {}  {} updates/s", "",
+                                 filled, "", width - filled, 100 * part, duration_text(speed.seconds_left), step.time,
+                                 step.dt, step.step, with_prefix(speed.updates_per_second));
+  line += fmt::format("  neighbours {}  dE {:.1e}  dt set by {}", neighbours(step), energy_drift, limiter(step));
+  line.resize(std::min(line.size(), static_cast<std::size_t>(columns(out_) - 1)));
+  fmt::print(out_, "\r\033[K{}", line);
+  open_bar_ = true;
+}
+
+void Progress::print_line(const StepReport& step, const Speed& speed, double energy_drift) const {
+  fmt::print(out_,
+             "step {:6d}  t {:.6g} of {:.6g}  dt {:.3e}  {} updates/s  neighbours {}  energy drift {:.2e}  {} left"
+             "  dt set by {}\n",
+             step.step, step.time, span_.to, step.dt, with_prefix(speed.updates_per_second), neighbours(step),
+             energy_drift, duration_text(speed.seconds_left), limiter(step));
+}
+
+void Progress::print_json(const StepReport& step, const Speed& speed, double energy_drift) const {
+  const nlohmann::ordered_json json = {
+      {"step", step.step},
+      {"time", step.time},
+      {"end", span_.to},
+      {"dt", step.dt},
+      {"updates_per_second", speed.updates_per_second},
+      {"neighbours", {step.min_neighbours, step.mean_neighbours, step.max_neighbours}},
+      {"energy_drift", energy_drift},
+      {"seconds_left", speed.seconds_left},
+      {"limiting_id", step.limiting_id},
+      {"limiting_x", step.limiting_x},
+  };
+  fmt::print(out_, "{}\n", json.dump());
+}
+
+}  // namespace sphk
