@@ -1,0 +1,28 @@
+#pragma once
+
+#include "kernels/core/simd.hpp"
+
+namespace sphk {
+
+/// Shape of a smoothing kernel at q = r/h: w(q) and dw/dq, without the norm. W(r, h) = N_D / h^D w(r/h) and
+/// dW/dr = N_D / h^(D+1) dw(r/h); both vanish for q >= 1.
+///
+/// A smoothing kernel is a small value with `name`, `flops` (operations of one call of operator(): additions, products,
+/// min and max count 1, a fused multiply-add 2), operator()(q) -> Shape, w(q) and norm(dimension) -> N_D.
+/// q >= 0 is a float, a double or a SIMD pack; constants are made in lane_t<T>, so that floats never meet doubles.
+template <class T>
+struct Shape {
+  static_assert(!std::is_integral_v<T>, "q is a float, a double or a pack of these: write 0.0, not 0");
+  T w;
+  T dw;
+};
+
+/// w with its own derivative, for dn/dh in the smoothing length and in grad-h. Only kernels whose operator() gives
+/// another dw (HYDRA, the table) have a member of that name.
+template <class Kernel, class T>
+KOKKOS_INLINE_FUNCTION Shape<T> with_own_derivative(const Kernel& kernel, T q) {
+  if constexpr (requires { kernel.with_own_derivative(q); }) return kernel.with_own_derivative(q);
+  else return kernel(q);
+}
+
+}  // namespace sphk
