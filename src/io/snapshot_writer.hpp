@@ -36,10 +36,10 @@ enum class Compression { none, gzip };
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
                     Compression compression = Compression::none);
 
-/// Writes `fields` (n rows each, in the order of `ids`) under PartType0 beside ParticleIDs, with the Header of a
-/// snapshot and the units of each field: the output of `sphk rates`. Errors as for write_snapshot.
+/// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates in a file laid out like
+/// a snapshot: the output of `sphk rates`. `gamma` is the adiabatic index. Errors as for write_snapshot.
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
-                  const SnapshotInfo& info);
+                  double gamma, const SnapshotInfo& info);
 
 /// One snapshot of a run: its file name within the folder and its time.
 struct SeriesEntry {

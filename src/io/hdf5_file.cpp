@@ -1,0 +1,271 @@
+#include "src/io/hdf5_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk::hdf5 {
+
+namespace {
+
+/// Longest attribute that is read, bytes: a mutilated file may claim any length.
+constexpr std::size_t max_attribute_size = std::size_t{1} << 24;
+
+/// deflate cannot shrink data by more than this factor (zlib's technical notes: 1032:1).
+constexpr double max_compression = 1032;
+
+std::string hdf5_reason() {
+  std::string reason;
+  const auto innermost = [](unsigned, const H5E_error2_t* error, void* text) -> herr_t {
+    if (error->desc && *error->desc) *static_cast<std::string*>(text) = error->desc;
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, innermost, &reason);
+  return reason;
+}
+
+[[noreturn]] void refuse(const std::string& reason, const std::string& message) {
+  throw InputError(reason.empty() ? message : fmt::format("{} (HDF5: {})", message, reason));
+}
+
+void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+std::string name_of(hid_t object, ssize_t (*get)(hid_t, char*, std::size_t)) {
+  const ssize_t length = get(object, nullptr, 0);
+  if (length <= 0) return {};
+  std::string name(static_cast<std::size_t>(length), '\0');
+  get(object, name.data(), name.size() + 1);
+  return name;
+}
+
+Handle string_type(std::size_t size) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
+  H5Tset_strpad(type.get(), H5T_STR_NULLPAD);  // null-terminated would cost a last character in some readers
+  return type;
+}
+
+Handle space(std::span<const hsize_t> shape) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+}
+
+herr_t append_name(hid_t, const char* name, const void*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
+
+void Object::fail(const std::string& what) const {
+  const std::string reason = hdf5_reason();  // before where(), whose calls clear HDF5's error stack
+  refuse(reason, where() + ": " + what);
+}
+
+std::string Object::where() const {
+  return fmt::format("{}: {}", name_of(id_.get(), H5Fget_name), name_of(id_.get(), H5Iget_name));
+}
+
+std::uint64_t Object::address() const {
+  H5O_info_t info{};
+  if (H5Oget_info(id_.get(), &info) < 0) fail("its place in the file is unknown");
+  return info.addr;
+}
+
+bool Object::has_attribute(const std::string& name) const { return H5Aexists(id_.get(), name.c_str()) > 0; }
+
+std::vector<std::string> Object::attributes() const {
+  std::vector<std::string> names;
+  hsize_t position = 0;
+  const auto append = [](hid_t id, const char* name, const H5A_info_t* info, void* out) {
+    return append_name(id, name, info, out);
+  };
+  if (H5Aiterate2(id_.get(), H5_INDEX_NAME, H5_ITER_INC, &position, append, &names) < 0)
+    fail("its attributes cannot be listed");
+  return names;
+}
+
+std::vector<double> Object::numbers(const std::string& name) const {
+  const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  if (attribute.get() < 0) fail(fmt::format("there is no attribute \"{}\"", name));
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT) fail(fmt::format("the attribute \"{}\" is not a number", name));
+  const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(extent.get());
+  if (count < 0 || static_cast<std::size_t>(count) > max_attribute_size / sizeof(double))
+    fail(fmt::format("the attribute \"{}\" has an impossible size", name));
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (count > 0 && H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, values.data()) < 0)
+    fail(fmt::format("the attribute \"{}\" cannot be read", name));
+  return values;
+}
+
+std::string Object::text(const std::string& name) const {
+  const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  if (attribute.get() < 0) fail(fmt::format("there is no attribute \"{}\"", name));
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
+  const std::size_t size = H5Tget_size(type.get());
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Sget_simple_extent_npoints(extent.get()) != 1 ||
+      size > max_attribute_size)
+    fail(fmt::format("the attribute \"{}\" is not one string", name));
+  if (H5Tis_variable_str(type.get()) > 0) {
+    char* chars = nullptr;
+    if (H5Aread(attribute.get(), type.get(), &chars) < 0 || !chars)
+      fail(fmt::format("the attribute \"{}\" cannot be read", name));
+    const std::string value(chars);
+    H5free_memory(chars);
+    return value;
+  }
+  std::string value(size, '\0');
+  if (H5Aread(attribute.get(), type.get(), value.data()) < 0)
+    fail(fmt::format("the attribute \"{}\" cannot be read", name));
+  value.resize(std::min(size, value.find('\0')));
+  return value;
+}
+
+void Object::set(const std::string& name, std::string_view text) {
+  const Handle type = string_type(text.size());
+  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(id_.get(), name.c_str(), type.get(), scalar.get(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
+  if (attribute.get() < 0 || H5Awrite(attribute.get(), type.get(), padded.data()) < 0)
+    fail(fmt::format("the attribute \"{}\" cannot be written", name));
+}
+
+void Object::set_numbers(const std::string& name, hid_t type, const void* values, std::size_t count) {
+  const hsize_t shape[] = {count};
+  const Handle extent = space(shape);
+  const Handle attribute(H5Acreate2(id_.get(), name.c_str(), type, extent.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  if (attribute.get() < 0 || H5Awrite(attribute.get(), type, values) < 0)
+    fail(fmt::format("the attribute \"{}\" cannot be written", name));
+}
+
+H5T_class_t Dataset::type_class() const {
+  const Handle type(H5Dget_type(id_.get()), H5Tclose);
+  return H5Tget_class(type.get());
+}
+
+bool Dataset::is_signed() const {
+  const Handle type(H5Dget_type(id_.get()), H5Tclose);
+  return type_class() == H5T_FLOAT || H5Tget_sign(type.get()) == H5T_SGN_2;
+}
+
+std::vector<hsize_t> Dataset::shape() const {
+  const Handle extent(H5Dget_space(id_.get()), H5Sclose);
+  const int rank = H5Sget_simple_extent_ndims(extent.get());
+  if (rank < 0) fail("its shape cannot be read");
+  std::vector<hsize_t> dims(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(extent.get(), dims.data(), nullptr);
+  return dims;
+}
+
+std::size_t Dataset::checked_size() const {
+  if (!is_number()) fail("it does not hold numbers");
+  const Handle type(H5Dget_type(id_.get()), H5Tclose);
+  double count = 1;
+  for (const hsize_t rows : shape()) count *= static_cast<double>(rows);
+  const double bytes = count * static_cast<double>(H5Tget_size(type.get()));
+  const Handle properties(H5Dget_create_plist(id_.get()), H5Pclose);
+  const double factor = H5Pget_layout(properties.get()) == H5D_CHUNKED ? max_compression : 1;
+  const auto stored = static_cast<double>(H5Dget_storage_size(id_.get()));
+  if (bytes > factor * stored)
+    fail(fmt::format("its shape asks for {:.0f} bytes, but the file holds {:.0f}: the file is damaged or was never "
+                     "finished; copy or write it again",
+                     bytes, stored));
+  return static_cast<std::size_t>(count);
+}
+
+void Dataset::read_into(hid_t type, void* values) const {
+  if (H5Dread(id_.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    fail("it cannot be read; the file is damaged: copy or write it again");
+}
+
+bool Group::has(const std::string& name) const { return H5Lexists(id_.get(), name.c_str(), H5P_DEFAULT) > 0; }
+
+std::vector<std::string> Group::members() const {
+  std::vector<std::string> names;
+  hsize_t position = 0;
+  const auto append = [](hid_t id, const char* name, const H5L_info_t* info, void* out) {
+    return append_name(id, name, info, out);
+  };
+  if (H5Literate(id_.get(), H5_INDEX_NAME, H5_ITER_INC, &position, append, &names) < 0)
+    fail("its members cannot be listed");
+  return names;
+}
+
+Group Group::group(const std::string& name) const {
+  Handle id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (id.get() < 0) fail(fmt::format("there is no group \"{}\"", name));
+  return Group(std::move(id));
+}
+
+Group Group::create_group(const std::string& name) {
+  Handle id(H5Gcreate2(id_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  if (id.get() < 0) fail(fmt::format("the group \"{}\" cannot be made", name));
+  return Group(std::move(id));
+}
+
+Dataset Group::dataset(const std::string& name) const {
+  Handle id(H5Dopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (id.get() < 0) fail(fmt::format("there is no dataset \"{}\"", name));
+  return Dataset(std::move(id));
+}
+
+Dataset Group::write_dataset(const std::string& name, hid_t type, const void* values, hsize_t rows, hsize_t columns,
+                             bool compressed) {
+  constexpr hsize_t rows_per_chunk = 1 << 16;
+  constexpr unsigned gzip_level = 4;
+  std::vector<hsize_t> shape{rows};
+  if (columns) shape.push_back(columns);
+  const Handle extent = space(shape);
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.get(), false);  // equal runs give equal bytes
+  if (compressed && rows > 0) {
+    std::vector<hsize_t> chunk = shape;
+    chunk[0] = std::min(rows, rows_per_chunk);
+    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(properties.get());
+    H5Pset_deflate(properties.get(), gzip_level);
+  }
+  Handle id(H5Dcreate2(id_.get(), name.c_str(), type, extent.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+            H5Dclose);
+  if (id.get() < 0 || (rows > 0 && H5Dwrite(id.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
+    fail(fmt::format("the dataset \"{}\" cannot be written", name));
+  return Dataset(std::move(id));
+}
+
+void Group::link(const std::string& name, const std::string& path) {
+  if (H5Lcreate_hard(id_.get(), name.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
+    fail(fmt::format("\"{}\" cannot be linked as \"{}\"", name, path));
+}
+
+File File::create(const std::filesystem::path& path) {
+  silence();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_SEMI);  // closing with open groups is an error, not a delay
+  Handle id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": the file cannot be made");
+  return File(std::move(id));
+}
+
+File File::open(const std::filesystem::path& path) {
+  silence();
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw InputError(path.string() + ": there is no such file");
+  if (std::filesystem::is_directory(path, error)) throw InputError(path.string() + ": this is a folder, not a file");
+  Handle id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": this is no readable HDF5 file");
+  return File(std::move(id));
+}
+
+void File::close() {
+  const std::string name = name_of(id_.get(), H5Fget_name);
+  const bool flushed = H5Fflush(id_.get(), H5F_SCOPE_LOCAL) >= 0;
+  if (!id_.reset() || !flushed) refuse(hdf5_reason(), name + ": the file cannot be finished");
+}
+
+}  // namespace sphk::hdf5

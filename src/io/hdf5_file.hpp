@@ -1,0 +1,161 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// A thin owner of HDF5's C API: only what snapshots need. Every failure is an InputError that names the file, the object
+/// and HDF5's own reason; HDF5 itself prints nothing.
+namespace sphk::hdf5 {
+
+template <class T>
+concept Number = std::integral<T> || std::floating_point<T>;
+
+/// Owns one HDF5 identifier of any kind.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() { reset(); }
+
+  /// Closes now; false when HDF5 could not, such as on a full disk.
+  bool reset() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  hid_t get() const { return id_; }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// The native HDF5 type of T.
+template <Number T>
+hid_t native_type() {
+  if constexpr (std::floating_point<T>) return sizeof(T) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+  else if constexpr (sizeof(T) == 1) return std::signed_integral<T> ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8;
+  else if constexpr (sizeof(T) == 4) return std::signed_integral<T> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT32;
+  else return std::signed_integral<T> ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT64;
+}
+
+/// Anything that carries attributes: a group (the file's root included) or a dataset.
+class Object {
+ public:
+  bool has_attribute(const std::string& name) const;
+  /// Names of all attributes, in alphabetical order.
+  std::vector<std::string> attributes() const;
+
+  /// All numbers of an attribute, scalar or array, of any numeric type.
+  std::vector<double> numbers(const std::string& name) const;
+  /// A string attribute of fixed or variable length, without padding.
+  std::string text(const std::string& name) const;
+
+  /// A string of fixed length, as C and every reader has it.
+  void set(const std::string& name, std::string_view text);
+  void set(const std::string& name, const char* text) { set(name, std::string_view(text)); }
+  /// A one-dimensional array; one number is an array of one element.
+  template <Number T>
+  void set(const std::string& name, std::span<const T> values) {
+    set_numbers(name, native_type<T>(), values.data(), values.size());
+  }
+  template <Number T>
+  void set(const std::string& name, const std::vector<T>& values) {
+    set(name, std::span<const T>(values));
+  }
+  template <Number T>
+  void set(const std::string& name, T value) {
+    set(name, std::span<const T>(&value, 1));
+  }
+
+  /// Where the object lies in the file: equal for hard links to the same one.
+  std::uint64_t address() const;
+  /// "FILE: object", to begin a message with.
+  std::string where() const;
+
+ protected:
+  explicit Object(Handle id) : id_(std::move(id)) {}
+  [[noreturn]] void fail(const std::string& what) const;
+  Handle id_;
+
+ private:
+  void set_numbers(const std::string& name, hid_t type, const void* values, std::size_t count);
+};
+
+class Dataset : public Object {
+ public:
+  explicit Dataset(Handle id) : Object(std::move(id)) {}
+
+  std::vector<hsize_t> shape() const;
+  bool is_integer() const { return type_class() == H5T_INTEGER; }
+  bool is_number() const { return is_integer() || type_class() == H5T_FLOAT; }
+  bool is_signed() const;
+
+  /// All values, row by row, converted to T. Fails when the file does not hold as many as the shape says.
+  template <Number T>
+  std::vector<T> read() const {
+    std::vector<T> values(checked_size());
+    read_into(native_type<T>(), values.data());
+    return values;
+  }
+
+ private:
+  H5T_class_t type_class() const;
+  std::size_t checked_size() const;
+  void read_into(hid_t type, void* values) const;
+};
+
+class Group : public Object {
+ public:
+  explicit Group(Handle id) : Object(std::move(id)) {}
+
+  bool has(const std::string& name) const;
+  /// Names of all members, in alphabetical order.
+  std::vector<std::string> members() const;
+  Group group(const std::string& name) const;
+  Group create_group(const std::string& name);
+  Dataset dataset(const std::string& name) const;
+
+  /// Writes `values`, of shape rows x columns, or one-dimensional when columns is 0; gzip with shuffle when `compressed`.
+  template <Number T>
+  Dataset write(const std::string& name, std::span<const T> values, hsize_t columns = 0, bool compressed = false) {
+    return write_dataset(name, native_type<T>(), values.data(), values.size() / (columns ? columns : 1), columns,
+                         compressed);
+  }
+  template <Number T>
+  Dataset write(const std::string& name, const std::vector<T>& values, hsize_t columns = 0, bool compressed = false) {
+    return write(name, std::span<const T>(values), columns, compressed);
+  }
+
+  /// A second name `path`, absolute within the file, for the member `name`: a hard link, no copy.
+  void link(const std::string& name, const std::string& path);
+
+ private:
+  Dataset write_dataset(const std::string& name, hid_t type, const void* values, hsize_t rows, hsize_t columns,
+                        bool compressed);
+};
+
+/// An open file; its root group is the file itself.
+class File : public Group {
+ public:
+  static File create(const std::filesystem::path& path);
+  static File open(const std::filesystem::path& path);
+  /// Writes everything out; fails where the destructor would have to keep silent.
+  void close();
+
+ private:
+  explicit File(Handle id) : Group(std::move(id)) {}
+};
+
+}  // namespace sphk::hdf5

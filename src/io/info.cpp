@@ -1,0 +1,134 @@
+#include "src/io/info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "src/engine/errors.hpp"
+#include "src/io/hdf5_file.hpp"
+#include "src/io/reader.hpp"
+
+namespace sphk {
+
+namespace {
+
+std::string line(const char* name, const std::string& value) { return fmt::format("  {:<11} {}\n", name, value); }
+
+/// Attribute values as text, whatever they hold.
+std::string attribute_text(const hdf5::Object& object, const char* name) {
+  if (!object.has_attribute(name)) return "unknown";
+  try {
+    return object.text(name);
+  } catch (const InputError&) {
+    return fmt::format("{:.8g}", fmt::join(object.numbers(name), " "));
+  }
+}
+
+std::string own_lines(const hdf5::Group& own) {
+  const auto lower = own.numbers("BoxLower"), size = own.numbers("BoxSize"), periodic = own.numbers("Periodic");
+  std::vector<std::string> axes;
+  for (std::size_t k = 0; k < std::min({lower.size(), size.size(), periodic.size()}); ++k)
+    axes.push_back(fmt::format("[{:.8g}, {:.8g}) {}", lower[k], lower[k] + size[k], periodic[k] ? "periodic" : "open"));
+  return line("step", attribute_text(own, "Step")) + line("dimension", attribute_text(own, "Dimension")) +
+         line("box", fmt::format("{}", fmt::join(axes, " x "))) + line("scene", attribute_text(own, "Scene")) +
+         line("scheme", fmt::format("{}, kernel {}, {} neighbours, precision {}", attribute_text(own, "Scheme"),
+                                    attribute_text(own, "Kernel"), attribute_text(own, "Neighbours"),
+                                    attribute_text(own, "Precision")));
+}
+
+std::string foreign_lines(const hdf5::Group& header) {
+  std::string text = line("box", header.has_attribute("BoxSize") ? attribute_text(header, "BoxSize") : "none");
+  if (header.has_attribute("Dimension")) text += line("dimension", attribute_text(header, "Dimension"));
+  return text;
+}
+
+/// One line a particle type of the Header's counts.
+std::string particle_lines(const hdf5::File& file, const hdf5::Group& header) {
+  static constexpr const char* names[] = {"gas", "dark matter", "disc", "bulge", "stars", "black holes", "neutrinos"};
+  std::string text;
+  const auto counts = header.has_attribute("NumPart_ThisFile") ? header.numbers("NumPart_ThisFile")
+                                                               : std::vector<double>{};
+  for (std::size_t type = 0; type < counts.size(); ++type)
+    if (counts[type] > 0 || file.has(fmt::format("PartType{}", type)))
+      text += line(type < std::size(names) ? names[type] : "other",
+                   fmt::format("{:.0f} particles (PartType{})", counts[type], type));
+  return text;
+}
+
+/// Least, mean and largest of the finite values in one column.
+std::string range_text(const std::vector<double>& values, std::size_t column, std::size_t columns) {
+  double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
+  std::size_t finite = 0, bad = 0;
+  for (std::size_t i = column; i < values.size(); i += columns) {
+    if (!std::isfinite(values[i])) {
+      ++bad;
+      continue;
+    }
+    ++finite;
+    low = std::min(low, values[i]);
+    high = std::max(high, values[i]);
+    sum += values[i];
+  }
+  const std::string not_finite = bad ? fmt::format("  ({} not finite)", bad) : "";
+  if (finite == 0) return fmt::format("{:>14}{:>14}{:>14}{}", "-", "-", "-", not_finite);
+  return fmt::format("{:>14.6g}{:>14.6g}{:>14.6g}{}", low, sum / static_cast<double>(finite), high, not_finite);
+}
+
+std::string field_lines(const std::string& name, const hdf5::Dataset& dataset) {
+  if (!dataset.is_number()) return fmt::format("  {:<28}not numbers\n", name);
+  const auto shape = dataset.shape();
+  const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
+  const std::vector<double> values = dataset.read<double>();
+  std::string text;
+  for (std::size_t k = 0; k < columns; ++k) {
+    const std::string suffix = columns == 1 ? "" : columns <= 3 ? fmt::format(".{}", "xyz"[k]) : fmt::format("[{}]", k);
+    text += fmt::format("  {:<28}{}\n", name + suffix, range_text(values, k, columns));
+  }
+  return text;
+}
+
+std::string gas_table(const hdf5::Group& gas) {
+  std::string text = fmt::format("  {:<28}{:>14}{:>14}{:>14}\n", "field", "min", "mean", "max");
+  std::map<std::uint64_t, std::string> seen;
+  for (const std::string& name : gas.members()) {
+    const hdf5::Dataset dataset = gas.dataset(name);
+    const auto [first, is_new] = seen.emplace(dataset.address(), name);
+    text += is_new ? field_lines(name, dataset) : fmt::format("  {:<28}  another name of {}\n", name, first->second);
+  }
+  return text;
+}
+
+/// What a run would say when it started from this file.
+std::string remark_lines(const std::filesystem::path& path) {
+  std::string text;
+  try {
+    for (const std::string& remark : read_particles(path, NonFinite::keep).remarks) text += "  note: " + remark + "\n";
+  } catch (const InputError& error) {
+    text = fmt::format("  no run can start from it: {}\n", error.what());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string file_info(const std::filesystem::path& path) {
+  std::string text;
+  {
+    const hdf5::File file = hdf5::File::open(path);
+    const hdf5::Group header = file.group("Header");
+    const bool own = file.has("sphk");
+    text = fmt::format("{}: {}\n", path.string(),
+                       own ? "sphk snapshot" : "HDF5 particles in the layout of SWIFT and GADGET");
+    text += line("time", attribute_text(header, "Time"));
+    text += own ? own_lines(file.group("sphk")) : foreign_lines(header);
+    if (file.has("HydroScheme")) text += line("gamma", attribute_text(file.group("HydroScheme"), "Adiabatic index"));
+    text += particle_lines(file, header);
+    if (file.has("PartType0")) text += gas_table(file.group("PartType0"));
+  }
+  return text + remark_lines(path);
+}
+
+}  // namespace sphk

@@ -1,0 +1,227 @@
+#include "src/io/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "src/engine/errors.hpp"
+#include "src/io/file_parts.hpp"
+#include "src/io/gas_datasets.hpp"
+#include "src/io/hdf5_file.hpp"
+
+namespace sphk {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The numbers of an attribute that may be missing.
+std::vector<double> numbers_or(const hdf5::Object& object, const std::string& name, std::vector<double> missing) {
+  if (!object.has_attribute(name)) return missing;
+  auto values = object.numbers(name);
+  return values.empty() ? missing : values;
+}
+
+double number_or(const hdf5::Object& object, const std::string& name, double missing) {
+  return numbers_or(object, name, {missing})[0];
+}
+
+/// Collects the gas of all parts of one file set.
+class Reader {
+ public:
+  explicit Reader(NonFinite non_finite) : non_finite_(non_finite) {}
+
+  void add_part(const hdf5::File& file);
+  ReadResult finish();
+
+ private:
+  void read_first(const hdf5::File& file);
+  void refuse_other_physics(const hdf5::File& file, const hdf5::Group& header) const;
+  void read_box(const hdf5::File& file, const hdf5::Group& header);
+  void count_other_types(const hdf5::File& file, const std::vector<double>& counts);
+  void set_dimension();
+  void set_box();
+  void fill_gaps();
+  void remark(std::string text) { result_.remarks.push_back(std::move(text)); }
+
+  NonFinite non_finite_;
+  ReadResult result_;
+  GasDatasets gas_;
+  bool first_ = true, found_gas_ = false;
+  std::string where_;  ///< of the first part
+  std::optional<double> dimension_;
+  std::vector<double> box_size_;
+  std::optional<bool> periodic_;
+  std::map<int, double> others_;  ///< particles of each type that is not gas
+};
+
+void Reader::add_part(const hdf5::File& file) {
+  const hdf5::Group header = file.group("Header");
+  if (first_) read_first(file);
+  first_ = false;
+  const auto counts = numbers_or(header, "NumPart_ThisFile", {});
+  count_other_types(file, counts);
+  if (!file.has("PartType0")) return;
+  found_gas_ = true;
+  const GasDatasets part =
+      read_gas(file.group("PartType0"), numbers_or(header, "MassTable", {0.0})[0], non_finite_);
+  if (!counts.empty() && counts[0] != static_cast<double>(part.x.size()))
+    throw InputError(fmt::format("{}: NumPart_ThisFile says {:.0f} gas particles, PartType0/Coordinates has {}; correct "
+                                 "the attribute or write the file again",
+                                 header.where(), counts[0], part.x.size()));
+  gas_.columns = part.columns;
+  append(gas_.x, part.x);
+  append(gas_.v, part.v);
+  append(gas_.m, part.m);
+  append(gas_.u, part.u);
+  append(gas_.h, part.h);
+  append(gas_.id, part.id);
+}
+
+void Reader::read_first(const hdf5::File& file) {
+  const hdf5::Group header = file.group("Header");
+  where_ = file.where();
+  refuse_other_physics(file, header);
+  result_.particles.time = number_or(header, "Time", 0);
+  if (!std::isfinite(result_.particles.time))
+    throw InputError(header.where() + ": Time is not a finite number; set the attribute");
+  if (file.has("HydroScheme")) {
+    const double gamma = number_or(file.group("HydroScheme"), "Adiabatic index", 0);
+    if (gamma > 1 && std::isfinite(gamma)) result_.gamma = gamma;
+  }
+  if (!file.has("Units")) remark("there is no Units group: all numbers are taken as code units");
+  read_box(file, header);
+}
+
+void Reader::refuse_other_physics(const hdf5::File& file, const hdf5::Group& header) const {
+  if (file.has("Cosmology") && number_or(file.group("Cosmology"), "Cosmological run", 0) != 0)
+    throw InputError(where_ + ": the file is in comoving units of a cosmological run, which sphk does not know; convert "
+                              "it to physical units and set the attribute \"Cosmological run\" of Cosmology to 0");
+  if (number_or(header, "Flag_Entropy_ICs", 0) != 0)
+    throw InputError(header.where() + ": Flag_Entropy_ICs says that InternalEnergy holds entropies; write specific "
+                                      "thermal energies and set the flag to 0");
+}
+
+void Reader::read_box(const hdf5::File& file, const hdf5::Group& header) {
+  Box& box = result_.particles.box;
+  if (file.has("sphk")) {
+    const hdf5::Group own = file.group("sphk");
+    const auto lower = own.numbers("BoxLower"), size = own.numbers("BoxSize"), periodic = own.numbers("Periodic");
+    if (lower.size() != 3 || size.size() != 3 || periodic.size() != 3)
+      throw InputError(own.where() + ": BoxLower, BoxSize and Periodic must have 3 values; write the file again");
+    for (std::size_t k = 0; k < 3; ++k) box.lower[k] = lower[k], box.size[k] = size[k], box.periodic[k] = periodic[k] != 0;
+    dimension_ = number_or(own, "Dimension", 3);
+    result_.own_snapshot = true;
+    return;
+  }
+  if (header.has_attribute("Dimension")) dimension_ = number_or(header, "Dimension", 3);
+  box_size_ = numbers_or(header, "BoxSize", {});
+  for (const double size : box_size_)
+    if (!(size >= 0 && std::isfinite(size)))
+      throw InputError(fmt::format("{}: BoxSize has the value {}; set it to the length of the box, or to 0 for none",
+                                   header.where(), size));
+  if (file.has("RuntimePars") && file.group("RuntimePars").has_attribute("PeriodicBoundariesOn"))
+    periodic_ = number_or(file.group("RuntimePars"), "PeriodicBoundariesOn", 1) != 0;
+  const double redshift = number_or(header, "Redshift", 0);
+  if (redshift != 0) remark(fmt::format("Redshift is {}: it is not used, the numbers are taken as physical", redshift));
+}
+
+void Reader::count_other_types(const hdf5::File& file, const std::vector<double>& counts) {
+  for (std::size_t type = 1; type < counts.size(); ++type)
+    if (counts[type] > 0) others_[static_cast<int>(type)] += counts[type];
+  for (const std::string& name : file.members()) {
+    if (!name.starts_with("PartType") || name.size() != 9 || name[8] < '1' || name[8] > '9') continue;
+    const int type = name[8] - '0';
+    if (static_cast<std::size_t>(type) < counts.size() || !file.group(name).has("Coordinates")) continue;
+    const auto shape = file.group(name).dataset("Coordinates").shape();
+    if (!shape.empty()) others_[type] += static_cast<double>(shape[0]);
+  }
+}
+
+void Reader::set_dimension() {
+  const double wanted = dimension_.value_or(std::min(gas_.columns, box_size_.size() == 2 ? 2 : 3));
+  if (!(wanted == 1 || wanted == 2 || wanted == 3) || wanted > gas_.columns)
+    throw InputError(fmt::format("{}: Dimension is {}, but Coordinates has {} columns; they must agree", where_, wanted,
+                                 gas_.columns));
+  const int dimension = result_.particles.dimension = static_cast<int>(wanted);
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < gas_.x.size(); ++i)
+    for (auto k = static_cast<std::size_t>(dimension); k < 3; ++k) {
+      dropped += gas_.x[i][k] != 0 || gas_.v[i][k] != 0;
+      gas_.x[i][k] = gas_.v[i][k] = 0;
+    }
+  if (dropped)
+    remark(fmt::format("{} numbers of Coordinates and Velocities beyond {} dimensions were set to 0", dropped, dimension));
+}
+
+void Reader::set_box() {
+  if (result_.own_snapshot) return;
+  Box& box = result_.particles.box;
+  std::string made;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(result_.particles.dimension); ++k) {
+    const double size = box_size_.empty() ? 0 : box_size_[std::min(k, box_size_.size() - 1)];
+    box.periodic[k] = size > 0 && periodic_.value_or(true);
+    if (size > 0) {
+      box.size[k] = size;
+    } else if (!gas_.x.empty()) {
+      const auto [low, high] = std::minmax_element(gas_.x.begin(), gas_.x.end(),
+                                                   [k](const Array3& a, const Array3& b) { return a[k] < b[k]; });
+      box.lower[k] = (*low)[k];
+      box.size[k] = (*high)[k] > (*low)[k] ? (*high)[k] - (*low)[k] : 1;
+      made += "xyz"[k];
+    }
+  }
+  if (!made.empty()) remark(fmt::format("there is no BoxSize along {}: taken as open, as wide as the particles", made));
+  else if (!periodic_) remark("the file does not say whether the box is periodic: taken as periodic");
+}
+
+void Reader::fill_gaps() {
+  const std::size_t n = gas_.x.size();
+  if (!gas_.id.empty() && gas_.id.size() != n)
+    throw InputError(where_ + ": some parts of the file set have ParticleIDs and some have not; add or remove them all");
+  if (gas_.id.empty() && n > 0) {
+    gas_.id.resize(n);
+    std::iota(gas_.id.begin(), gas_.id.end(), std::uint64_t{1});
+    remark("there are no ParticleIDs: numbered from 1 in the file's order");
+  }
+  const bool usable = gas_.h.size() == n && std::all_of(gas_.h.begin(), gas_.h.end(), [](double h) { return h > 0; });
+  if (!usable) {
+    gas_.h.clear();
+    remark("there are no positive smoothing lengths: they will be found");
+  } else if (!result_.own_snapshot && n > 0) {
+    remark("smoothing lengths are taken as a first guess of the support radius");
+  }
+}
+
+ReadResult Reader::finish() {
+  if (!found_gas_) throw InputError(where_ + ": there is no gas: no group PartType0; sphk computes nothing else");
+  set_dimension();
+  set_box();
+  fill_gaps();
+  for (const auto& [type, count] : others_)
+    remark(fmt::format("{:.0f} particles of PartType{} are left out: sphk computes gas (PartType0) only", count, type));
+  ParticleSet& p = result_.particles;
+  p.x = std::move(gas_.x);
+  p.v = std::move(gas_.v);
+  p.m = std::move(gas_.m);
+  p.u = std::move(gas_.u);
+  p.h = std::move(gas_.h);
+  p.id = std::move(gas_.id);
+  return std::move(result_);
+}
+
+}  // namespace
+
+ReadResult read_particles(const std::filesystem::path& path, NonFinite non_finite) {
+  Reader reader(non_finite);
+  for (const std::filesystem::path& part : file_parts(path)) reader.add_part(hdf5::File::open(part));
+  return reader.finish();
+}
+
+}  // namespace sphk

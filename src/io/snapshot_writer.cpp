@@ -1,0 +1,165 @@
+#include "src/io/snapshot_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_file.hpp"
+#include "src/io/kernel_gamma.hpp"
+#include "src/io/snapshot_groups.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// GADGET's singular names beside SWIFT's plural ones; SmoothingLength is a dataset of its own.
+constexpr std::pair<const char*, const char*> singular_names[] = {
+    {"Density", "Densities"}, {"InternalEnergy", "InternalEnergies"}, {"Pressure", "Pressures"}};
+
+std::string power(const char* unit, double exponent) {
+  return exponent == 0 ? "" : exponent == 1 ? fmt::format("{} ", unit) : fmt::format("{}^{:g} ", unit, exponent);
+}
+
+/// Units and meaning, as SWIFT puts them beside every dataset.
+void describe(hdf5::Dataset dataset, const std::string& description, const UnitExponents& units) {
+  const auto [L, M, t] = units;
+  const auto exponent = [&](const char* name, double value) {
+    dataset.set(fmt::format("{} exponent", name), static_cast<float>(value));
+  };
+  exponent("U_M", M);
+  exponent("U_L", L);
+  exponent("U_t", t);
+  exponent("U_I", 0);
+  exponent("U_T", 0);
+  exponent("a-scale", 0);
+  exponent("h-scale", 0);
+  const std::string code = power("U_M", M) + power("U_L", L) + power("U_t", t);
+  const std::string cgs = power("g", M) + power("cm", L) + power("s", t);
+  dataset.set("Description", description);
+  dataset.set("Expression for physical CGS units", fmt::format("{}[ {}]", code, cgs.empty() ? "- " : cgs));
+  dataset.set("Lossy compression filter", "None");
+  dataset.set("Conversion factor to CGS (not including cosmological corrections)", 1.0);
+  dataset.set("Value stored as physical", std::int32_t{1});
+  dataset.set("Property can be converted to comoving", std::int32_t{0});
+}
+
+void write_field(hdf5::Group& gas, const Field& field, bool compressed) {
+  const hsize_t columns = field.components == 1 ? 0 : static_cast<hsize_t>(field.components);
+  describe(gas.write(field.name, field.values, columns, compressed), field.description, field.units);
+}
+
+/// SWIFT's h, from the support radius.
+Field swift_smoothing_lengths(const Field& support, const SnapshotInfo& info, int dimension) {
+  const double gamma = kernel_gamma(info.kernel, dimension);
+  Field h{"SmoothingLengths", "Smoothing length as SWIFT defines it: support radius / kernel gamma", {1, 0, 0}, 1,
+          support.values};
+  for (double& value : h.values) value /= gamma;
+  return h;
+}
+
+void write_gas(hdf5::Group gas, const Snapshot& snapshot, const SnapshotInfo& info, bool compressed) {
+  describe(gas.write("ParticleIDs", snapshot.id, 0, compressed), "Unique number of the particle", {});
+  for (const Field& field : snapshot.fields) write_field(gas, field, compressed);
+  if (snapshot.has("SmoothingLength"))
+    write_field(gas, swift_smoothing_lengths(snapshot.field("SmoothingLength"), info, snapshot.dimension), compressed);
+  for (const auto& [singular, plural] : singular_names)
+    if (snapshot.has(plural)) gas.link(singular, fmt::format("/PartType0/{}", plural));
+}
+
+/// The same datasets as ParaView wants them: points that are vertices, and the fields as point data.
+void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, bool compressed) {
+  constexpr std::uint8_t vertex_type = 1;  // VTK_VERTEX
+  const auto n = static_cast<std::int64_t>(snapshot.size());
+  vtk.set("Version", std::vector<std::int64_t>{1, 0});
+  vtk.set("Type", "UnstructuredGrid");
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+    vtk.write(name, std::vector<std::int64_t>{n});
+  std::vector<std::int64_t> counting(snapshot.size() + 1);
+  std::iota(counting.begin(), counting.end(), std::int64_t{0});
+  vtk.write("Offsets", counting, 0, compressed);
+  counting.pop_back();
+  vtk.write("Connectivity", counting, 0, compressed);
+  vtk.write("Types", std::vector<std::uint8_t>(snapshot.size(), vertex_type), 0, compressed);
+  vtk.link("Points", "/PartType0/Coordinates");
+  hdf5::Group point_data = vtk.create_group("PointData");
+  point_data.link("ParticleIDs", "/PartType0/ParticleIDs");
+  for (const Field& field : snapshot.fields)
+    if (field.name != "Coordinates") point_data.link(field.name, fmt::format("/PartType0/{}", field.name));
+}
+
+/// Throws where a field's size does not fit; returns the bytes that the file needs at most.
+double checked_bytes(const Snapshot& snapshot) {
+  double bytes = 1 << 20;                               // metadata
+  bytes += static_cast<double>(snapshot.size()) * 33;   // ids, SWIFT's h, VTK's offsets, connectivity and types
+  for (const Field& field : snapshot.fields) {
+    if (field.values.size() != snapshot.size() * static_cast<std::size_t>(field.components))
+      throw InputError(fmt::format("the field {} has {} values; {} particles of {} numbers each need {}", field.name,
+                                   field.values.size(), snapshot.size(), field.components,
+                                   snapshot.size() * static_cast<std::size_t>(field.components)));
+    bytes += 8.0 * static_cast<double>(field.values.size());
+  }
+  return bytes;
+}
+
+void check_disk(const std::filesystem::path& temporary, double bytes) {
+  std::error_code error;
+  const auto space = std::filesystem::space(temporary.parent_path(), error);
+  if (!error && static_cast<double>(space.available) < bytes)
+    throw InputError(fmt::format("the disk of {} has {:.0f} MB left and a snapshot needs {:.0f} MB; make room, write "
+                                 "elsewhere, or write fewer snapshots",
+                                 temporary.parent_path().string(), static_cast<double>(space.available) / 1e6,
+                                 bytes / 1e6));
+}
+
+}  // namespace
+
+void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
+                    Compression compression) {
+  const double bytes = checked_bytes(snapshot);
+  const bool compressed = compression == Compression::gzip;
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    if (!compressed) check_disk(temporary, bytes);
+    hdf5::File file = hdf5::File::create(temporary);
+    write_metadata(file, snapshot, info);
+    write_cells(file, snapshot);
+    write_gas(file.create_group("PartType0"), snapshot, info, compressed);
+    write_vtkhdf(file.create_group("VTKHDF"), snapshot, compressed);
+    file.close();
+  });
+}
+
+void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
+                  double gamma, const SnapshotInfo& info) {
+  Snapshot snapshot{.dimension = particles.dimension, .box = particles.box, .time = particles.time, .gamma = gamma,
+                    .id = particles.id};
+  if (snapshot.id.empty()) {
+    snapshot.id.resize(particles.size());
+    std::iota(snapshot.id.begin(), snapshot.id.end(), std::uint64_t{1});
+  }
+  Field coordinates{"Coordinates", "Position", {1, 0, 0}, 3, {}};
+  coordinates.values.reserve(3 * particles.size());
+  for (const Array3& x : particles.x) coordinates.values.insert(coordinates.values.end(), x.begin(), x.end());
+  snapshot.fields.push_back(std::move(coordinates));
+  snapshot.fields.insert(snapshot.fields.end(), fields.begin(), fields.end());
+  write_snapshot(path, snapshot, info);
+}
+
+void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries) {
+  nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", nlohmann::ordered_json::array()}};
+  for (const SeriesEntry& entry : entries)
+    series["files"].push_back(nlohmann::ordered_json{{"name", entry.name}, {"time", entry.time}});
+  const std::filesystem::path path = folder / "run.hdf.series";
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    std::ofstream file(temporary);
+    file << series.dump(1) << '\n';
+    file.close();
+    if (!file) throw InputError(path.string() + " cannot be written; is the disk full?");
+  });
+}
+
+}  // namespace sphk
