@@ -239,8 +239,8 @@ Dataset Group::write_dataset(const std::string& name, hid_t type, const void* va
 }
 
 void Group::link(const std::string& name, const std::string& path) {
-  if (H5Lcreate_hard(id_.get(), name.c_str(), id_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
-    fail(fmt::format("\"{}\" cannot be linked as \"{}\"", name, path));
+  if (H5Lcreate_hard(id_.get(), path.c_str(), id_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
+    fail(fmt::format("\"{}\" cannot be made a link to \"{}\"", name, path));
 }
 
 File File::create(const std::filesystem::path& path) {

@@ -138,7 +138,7 @@ class Group : public Object {
     return write(name, std::span<const T>(values), columns, compressed);
   }
 
-  /// A second name `path`, absolute within the file, for the member `name`: a hard link, no copy.
+  /// Makes `name` a second name of the object at `path`, absolute within the file: a hard link, no copy.
   void link(const std::string& name, const std::string& path);
 
  private:
