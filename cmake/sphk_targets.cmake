@@ -2,9 +2,11 @@
 
 add_library(sphk_kernels INTERFACE)
 add_library(sphk::kernels ALIAS sphk_kernels)
-target_include_directories(sphk_kernels INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
+target_include_directories(sphk_kernels INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>"
+                                                  "$<INSTALL_INTERFACE:include/sphk>")
 target_compile_features(sphk_kernels INTERFACE cxx_std_20)
-target_compile_options(sphk_kernels INTERFACE $<BUILD_INTERFACE:$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-ffp-contract=fast>>)
+# a*b + c in one rounding: allowed in every expression, which is what the compilers do by themselves in GNU mode.
+target_compile_options(sphk_kernels INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-ffp-contract=fast>)
 target_link_libraries(sphk_kernels INTERFACE Kokkos::kokkos)
 
 # A folder whose CMakeLists.txt names a file that is not there yet is left out with a warning, while sphk is being laid out.
