@@ -35,16 +35,18 @@ fs::path make_free_folder(const std::string& name) {
 
 fs::path make_asked_folder(const fs::path& folder, bool overwrite) {
   fs::create_directories(folder);
-  const auto previous = run_files(folder);
-  if (previous.empty()) return folder;
-  if (!overwrite)
-    throw InputError(fmt::format("{} already holds a run; name another folder with --out, or add --overwrite to replace it",
-                                 folder.string()));
-  for (const fs::path& file : previous) fs::remove(file);
+  if (!overwrite) refuse_used_folder(folder);
+  for (const fs::path& file : run_files(folder)) fs::remove(file);
   return folder;
 }
 
 }  // namespace
+
+void refuse_used_folder(const fs::path& folder) {
+  if (fs::is_directory(folder) && !run_files(folder).empty())
+    throw InputError(fmt::format("{} already holds a run; name another folder with --out, or add --overwrite to replace it",
+                                 folder.string()));
+}
 
 fs::path make_run_folder(const std::string& name, const std::optional<fs::path>& asked, bool overwrite) {
   try {

@@ -2,7 +2,6 @@
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
-#include <string_view>
 #include <type_traits>
 
 #include "kernels/core/simd.hpp"
@@ -68,7 +67,7 @@ double flops_per_second() {
 
 }  // namespace
 
-double FmaPeak::of(const char* precision) const { return std::string_view(precision) == "double" ? twofold : single; }
+double FmaPeak::of(std::string_view precision) const { return precision == "double" ? twofold : single; }
 
 FmaPeak measure_fma_peak() { return {flops_per_second<float>(), flops_per_second<double>()}; }
 

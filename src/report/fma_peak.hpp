@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace sphk {
 
 /// Floating-point operations per second of fused multiply-adds (2 operations each) in float and in double, all threads
@@ -8,7 +10,7 @@ struct FmaPeak {
   double single = 0;
   double twofold = 0;
   /// The peak of the pair arithmetic of a precision: "mixed" (float pairs) or "double".
-  double of(const char* precision) const;
+  double of(std::string_view precision) const;
 };
 
 /// Measures the peak with register-only loops, in about 20 ms per number type. Kokkos must be running.

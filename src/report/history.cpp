@@ -12,7 +12,7 @@ namespace sphk {
 namespace {
 
 /// The standard columns and their values, in the file's order.
-History::Measures standard_columns(const StepReport& step, const Totals& t) {
+History::Measures standard_columns(const StepReport& step, const Totals& t, const Conservation& drift) {
   const auto& p = t.momentum;
   const auto& l = t.angular_momentum;
   return {{"step", static_cast<double>(step.step)},
@@ -34,7 +34,11 @@ History::Measures standard_columns(const StepReport& step, const Totals& t) {
           {"min_P", t.min_pressure},
           {"max_P", t.max_pressure},
           {"min_A", t.min_entropy},
-          {"max_A", t.max_entropy}};
+          {"max_A", t.max_entropy},
+          {"energy_drift", drift.energy},
+          {"momentum_drift", drift.momentum},
+          {"angular_momentum_drift", drift.angular_momentum},
+          {"mass_drift", drift.mass}};
 }
 
 double value_of(const History::Measures& measures, const std::string& name) {
@@ -48,8 +52,9 @@ History::History(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_) throw InputError(fmt::format("cannot write {}: does the folder exist, and may you write there?", path.string()));
 }
 
-void History::add(const StepReport& step, const Totals& totals, const Measures& measures) {
-  Measures columns = standard_columns(step, totals);
+void History::add(const StepReport& step, const Totals& totals, const Conservation& drift,
+                  const Measures& measures) {
+  Measures columns = standard_columns(step, totals, drift);
   if (!started_) {
     for (const auto& [name, value] : measures) measures_.push_back(name);
     std::vector<std::string> names;

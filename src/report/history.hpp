@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/engine/simulation.hpp"
+#include "src/report/conservation.hpp"
 
 namespace sphk {
 
@@ -19,7 +19,7 @@ class History {
   explicit History(const std::filesystem::path& path);
   /// Appends a row and flushes it. A measure that the first row did not have is left out; one it had and this row has
   /// not is "nan".
-  void add(const StepReport& step, const Totals& totals, const Measures& measures);
+  void add(const StepReport& step, const Totals& totals, const Conservation& drift, const Measures& measures);
 
  private:
   std::filesystem::path path_;

@@ -1,0 +1,187 @@
+#include "src/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/platform.hpp"
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Everything the options write to; lives as long as the request.
+struct Options {
+  std::string what, file;
+  std::vector<std::string> sets;
+  std::vector<Override> shortcuts;
+  std::string out;
+  int threads = 0;
+  RunOptions run;
+  PlotOptions plot;
+  bool split = false;
+};
+
+std::optional<std::filesystem::path> path_of(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
+/// The shortcuts and the --set options, in that order.
+std::vector<Override> overrides(const Options& o) {
+  std::vector<Override> all = o.shortcuts;
+  for (const std::string& text : o.sets) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError(fmt::format("--set {}: write KEY=VALUE, such as --set sph.kernel=cs", text));
+    all.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
+  }
+  return all;
+}
+
+/// An option that is short for `--set key=...`.
+void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
+              const std::string& doc) {
+  const std::string spelling = name.substr(0, name.find(','));
+  app.add_option_function<std::string>(
+         name, [&o, key, spelling](const std::string& text) { o.shortcuts.push_back({key, text, spelling + " " + text}); }, doc)
+      ->type_name(type);
+}
+
+void add_physics(CLI::App& app, Options& o) {
+  shortcut(app, o, "--scheme", "sph.scheme", "NAME", "the scheme: sph, gadget2, tsph (key sph.scheme)");
+  shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
+  shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
+  shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
+  app.add_option("--set", o.sets, "set any key of the scene file; may be given several times")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& app, Options& o) {
+  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::PositiveNumber);
+}
+
+void add_run(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("run", "run a scene, a scene file or an initial condition");
+  app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition")->required();
+  add_physics(app, o);
+  shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
+  shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
+  shortcut(app, o, "--steps", "time.steps", "N", "stop after so many steps (key time.steps)");
+  add_threads(app, o);
+  app.add_option("--out", o.out, "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
+  app.add_flag("--overwrite", o.run.overwrite, "replace the run that the folder of --out holds");
+  app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
+  app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
+  app.footer("Examples:\n  sphk run sod\n  sphk run gresho -n 64 --neighbours 128 --kernel hoct4\n"
+             "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
+             "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
+             "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
+             "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped by SIGTERM or SIGINT.");
+}
+
+void add_plot(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("plot", "draw a run or a snapshot as PNG files");
+  app.add_option("what", o.what, "a run's folder, or one of its snapshots")->required();
+  app.add_flag("--exact,!--no-exact", o.plot.exact, "draw the exact solution where the scene has one (default)");
+  app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
+  app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
+  app.footer("Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png");
+}
+
+void add_rates(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("rates", "compute one right-hand side of a snapshot or initial condition");
+  app.add_option("file", o.what, "an HDF5 file")->required();
+  add_physics(app, o);
+  add_threads(app, o);
+  app.add_option("--out", o.out, "the HDF5 file to write")->required();
+  app.add_flag("--split", o.split, "write each term apart as well");
+  app.footer("Computes in double, unless --precision says otherwise.\nExample:\n"
+             "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
+}
+
+void add_inspection(CLI::App& root, Options& o) {
+  root.add_subcommand("list", "the scenes, with their size and rough cost");
+  CLI::App& show = *root.add_subcommand("show", "what a scene computes, and every key with its meaning");
+  show.add_option("what", o.what, "a scene, a scene file or an initial condition")->required();
+  add_physics(show, o);
+  shortcut(show, o, "-n,--resolution", "scene.n", "N", "the scene's resolution (key scene.n)");
+  show.footer("Example:\n  sphk show sod --kernel hoct4 --neighbours 442");
+  CLI::App& info = *root.add_subcommand("info", "what an HDF5 file holds");
+  info.add_option("file", o.file, "a snapshot or an initial condition")->required();
+  CLI::App& ic = *root.add_subcommand("ic", "work with initial conditions");
+  ic.require_subcommand(1);
+  CLI::App& check = *ic.add_subcommand("check", "look for NaN, zero masses, duplicate ids, coincident particles, ...");
+  check.add_option("file", o.file, "an HDF5 initial condition")->required();
+}
+
+/// Which of `arguments` is no option of the command that was meant, with the nearest one that is.
+std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc, char** argv) {
+  const CLI::App* app = &root;
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  Settings known;
+  for (const CLI::Option* option : app->get_options())
+    for (const std::string& name : option->get_lnames())
+      if (!known.has("--" + name)) known.declare({.name = "--" + name, .value = false, .doc = "", .choices = {}});
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
+    known.declare({.name = command->get_name(), .value = false, .doc = "", .choices = {}});
+  std::string hint;
+  for (int k = 1; k < argc; ++k) {
+    const std::string word(argv[k], std::find(argv[k], argv[k] + std::strlen(argv[k]), '='));
+    const bool wrong = std::string(error.what()).find(word) != std::string::npos;
+    if (wrong && !known.has(word) && (app == &root || word.starts_with("--")))
+      hint += fmt::format("\n  {}: did you mean {}?", word, known.nearest(word));
+  }
+  const std::string help = app == &root ? "sphk --help" : fmt::format("sphk {} --help", app->get_name());
+  return fmt::format("{}{}\nSee: {}", error.what(), hint, help);
+}
+
+Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
+  const std::string name = root.get_subcommands().front()->get_name();
+  const auto computing = [&](std::function<int()> act) { return Request{std::move(act), true, o->threads}; };
+  const auto plain = [](std::function<int()> act) { return Request{std::move(act), false, 0}; };
+  if (name == "run") {
+    o->run.what = o->what;
+    o->run.overrides = overrides(*o);
+    o->run.out = path_of(o->out);
+    return computing([o] { return run_command(o->run); });
+  }
+  if (name == "rates")
+    return computing([o, keys = overrides(*o)] { return rates_command({o->what, keys, o->out, o->split}); });
+  if (name == "list") return computing(list_command);
+  if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
+  if (name == "info") return plain([o] { return info_command(o->file); });
+  if (name == "ic") return plain([o] { return ic_check_command(o->file); });
+  o->plot.what = o->what;
+  o->plot.out = path_of(o->out);
+  return plain([o] { return plot_command(o->plot); });
+}
+
+}  // namespace
+
+Request parse_command_line(int argc, char** argv) {
+  const auto options = std::make_shared<Options>();
+  CLI::App root("sphk: smoothed-particle hydrodynamics for compressible gas", "sphk");
+  root.set_version_flag("--version", version_text());
+  root.require_subcommand(1);
+  add_run(root, *options);
+  add_inspection(root, *options);
+  add_plot(root, *options);
+  add_rates(root, *options);
+  root.footer("Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
+              "`sphk COMMAND --help` tells more about each command.");
+  try {
+    root.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // --help, --version
+    const int code = root.exit(done);
+    return {.act = [code] { return code; }};
+  } catch (const CLI::ParseError& error) {
+    throw InputError(explain(root, error, argc, argv));
+  }
+  return request_of(root, options);
+}
+
+}  // namespace sphk

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/cli/problem.hpp"
+
+namespace sphk {
+
+/// Exit codes of sphk; scripts rely on them.
+struct ExitCode {
+  static constexpr int done = 0, bad_input = 2, numerics = 3, device = 4, stopped = 75;
+};
+
+struct RunOptions {
+  std::string what;
+  std::vector<Override> overrides;
+  std::optional<std::filesystem::path> out;
+  bool overwrite = false, dry_run = false, json_log = false;
+};
+
+struct PlotOptions {
+  std::string what;                          ///< a run's folder or one snapshot
+  std::optional<std::filesystem::path> out;  ///< file of the only figure, or folder of several
+  bool exact = true, every = false;
+};
+
+struct RatesOptions {
+  std::string file;
+  std::vector<Override> overrides;
+  std::filesystem::path out;
+  bool split = false;
+};
+
+/// Every command returns its exit code and throws InputError, NumericsError or DeviceError.
+int run_command(const RunOptions& options);
+/// What a run would cost: particles, memory, steps, size of the output, time from a trial of three steps.
+int dry_run_command(const Problem& problem);
+int list_command();
+int show_command(const std::string& what, const std::vector<Override>& overrides);
+int plot_command(const PlotOptions& options);
+int info_command(const std::string& file);
+int rates_command(const RatesOptions& options);
+int ic_check_command(const std::string& file);
+
+}  // namespace sphk

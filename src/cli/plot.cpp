@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/plot_script.hpp"
+#include "src/engine/errors.hpp"
+#include "src/io/reader.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The snapshots to draw and the folder of their run.
+struct Targets {
+  fs::path folder;
+  std::vector<fs::path> snapshots;
+  bool whole_run = false;
+};
+
+std::vector<fs::path> snapshots_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("snap_") && name.ends_with(".hdf5")) found.push_back(entry.path());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+Targets find_targets(const PlotOptions& options) {
+  const fs::path what = options.what;
+  if (fs::is_regular_file(what)) return {.folder = what.parent_path(), .snapshots = {what}, .whole_run = false};
+  if (!fs::is_directory(what))
+    throw InputError(fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", options.what));
+  Targets targets{.folder = what, .snapshots = snapshots_in(what), .whole_run = true};
+  if (targets.snapshots.empty())
+    throw InputError(fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", options.what));
+  if (!options.every) targets.snapshots.erase(targets.snapshots.begin(), targets.snapshots.end() - 1);
+  return targets;
+}
+
+/// The exact solution sampled along the scene's abscissa from the hint's centre: `v` is the velocity along it (v_x or
+/// the radial one), `v_phi` the one across it.
+Json exact_profile(const Problem& problem, const PlotHint& hint, double time) {
+  const auto exact = problem.scene->exact(problem.settings);
+  if (!exact) return nullptr;
+  constexpr int points = 4000;
+  const double gamma = problem.settings.real("sph.gamma");
+  const bool from_centre = hint.abscissa != "x";
+  Json profile;
+  for (int k = 0; k < points; ++k) {
+    const double s = hint.from + (k + 0.5) / points * (hint.to - hint.from);
+    const GasState state = exact({from_centre ? hint.centre[0] + s : s, hint.centre[1], hint.centre[2]}, time);
+    profile["abscissa"].push_back(s);
+    profile["rho"].push_back(state.rho);
+    profile["P"].push_back(state.P);
+    profile["v"].push_back(state.v[0]);
+    profile["v_phi"].push_back(state.v[1]);
+    profile["u"].push_back(state.P / ((gamma - 1) * state.rho));
+    profile["A"].push_back(state.P / std::pow(state.rho, gamma));
+  }
+  return profile;
+}
+
+/// One figure's worth of work for the script: where the particles are and what to draw around them.
+Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& problem, bool exact) {
+  const ParticleSet particles = read_particles(snapshot).particles;
+  const Box& box = particles.box;
+  PlotHint hint{.abscissa = "x", .fields = {"rho", "v", "P"}, .from = box.lower[0], .to = box.lower[0] + box.size[0], .centre = {}};
+  if (problem) hint = problem->scene->plot_hint(problem->settings);
+  Json json = {{"file", snapshot.string()},   {"time", particles.time},    {"dimension", particles.dimension},
+               {"box_lower", box.lower},      {"box_size", box.size},      {"periodic", box.periodic},
+               {"abscissa", hint.abscissa},   {"fields", hint.fields},     {"from", hint.from},
+               {"to", hint.to},               {"centre", hint.centre},     {"exact", nullptr},
+               {"title", snapshot.stem().string()}};
+  if (!problem) return json;
+  const SimulationSettings s = simulation_settings(problem->settings);
+  json["title"] = fmt::format("{}, {} {} {:g}, {} particles", problem->scene->name(), s.scheme, s.kernel, s.neighbours,
+                              particles.size());
+  if (exact) json["exact"] = exact_profile(*problem, hint, particles.time);
+  return json;
+}
+
+/// Figure names: `--out FILE.png` for a single snapshot, else beside the snapshots or in the folder of --out.
+fs::path figure_name(const PlotOptions& options, const Targets& targets, const fs::path& snapshot) {
+  const bool is_file = options.out && options.out->extension() == ".png";
+  if (is_file && targets.snapshots.size() > 1)
+    throw InputError(fmt::format("--out {}: several snapshots are drawn, so give a folder", options.out->string()));
+  if (is_file) return *options.out;
+  const fs::path folder = options.out.value_or(targets.folder);
+  if (options.out) fs::create_directories(folder);
+  return folder / snapshot.filename().replace_extension(".png");
+}
+
+}  // namespace
+
+int plot_command(const PlotOptions& options) {
+  const Targets targets = find_targets(options);
+  const fs::path scene_file = targets.folder / "scene.used.toml";
+  std::optional<Problem> problem;
+  if (fs::exists(scene_file)) problem = resolve_problem(scene_file.string(), {});
+  Json work = {{"snapshots", Json::array()}, {"history", nullptr}};
+  for (const fs::path& snapshot : targets.snapshots) {
+    Json item = describe_snapshot(snapshot, problem, options.exact);
+    item["out"] = figure_name(options, targets, snapshot).string();
+    work["snapshots"].push_back(std::move(item));
+  }
+  const fs::path history = targets.folder / "history.csv";
+  if (fs::exists(history)) work["history"] = history.string();
+  const bool draw_history = targets.whole_run && fs::exists(history) && !(options.out && options.out->extension() == ".png");
+  if (draw_history) work["history_out"] = (options.out.value_or(targets.folder) / "history.png").string();
+  run_plot_script(work.dump());
+  return ExitCode::done;
+}
+
+}  // namespace sphk

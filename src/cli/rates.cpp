@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/run_output.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Row of each particle of the input in an order by id: the simulation's fields are sorted by id.
+std::vector<std::size_t> rank_by_id(const std::vector<std::uint64_t>& ids) {
+  std::vector<std::size_t> order(ids.size()), rank(ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t row) { return ids[row]; });
+  for (std::size_t place = 0; place < order.size(); ++place) rank[order[place]] = place;
+  return rank;
+}
+
+Field in_input_order(const Field& field, const std::vector<std::size_t>& rank) {
+  Field sorted = field;
+  const auto width = static_cast<std::size_t>(field.components);
+  for (std::size_t row = 0; row < rank.size(); ++row)
+    for (std::size_t k = 0; k < width; ++k) sorted.values[row * width + k] = field.values[rank[row] * width + k];
+  return sorted;
+}
+
+}  // namespace
+
+int rates_command(const RatesOptions& options) {
+  std::vector<Override> overrides{{"sph.precision", "double", "--precision double"}};
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  const Problem problem = resolve_problem(options.file, overrides);
+  ParticleSet particles = problem.scene->build(problem.settings);
+  if (particles.id.empty()) {
+    particles.id.resize(particles.size());
+    std::iota(particles.id.begin(), particles.id.end(), std::uint64_t{1});
+  }
+  const auto simulation = make_simulation(particles, simulation_settings(problem.settings));
+  const auto rank = rank_by_id(particles.id);
+  std::vector<Field> fields;
+  for (const Field& field : simulation->rates(options.split)) fields.push_back(in_input_order(field, rank));
+  const double gamma = problem.settings.real("sph.gamma");
+  write_fields(options.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
+  for (const std::string& warning : simulation->warnings()) fmt::print("note: {}\n", warning);
+  fmt::print("{}: {} fields of {} particles\n", options.out.string(), fields.size(), particles.size());
+  return ExitCode::done;
+}
+
+}  // namespace sphk

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/file_scene.hpp"
+#include "src/cli/platform.hpp"
+#include "src/cli/run_folder.hpp"
+#include "src/cli/run_loop.hpp"
+#include "src/cli/stop_signal.hpp"
+#include "src/engine/errors.hpp"
+#include "src/report/final_table.hpp"
+#include "src/report/run_json.hpp"
+#include "src/report/text_file.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+RunLoop::Plan make_plan(const Settings& settings, double begin) {
+  const RunLoop::Plan plan{.end = settings.real("time.end"),
+                           .steps = settings.integer("time.steps"),
+                           .snapshots = settings.integer("output.snapshots")};
+  if (!(plan.end > begin))
+    throw InputError(fmt::format("time.end = {} is not after the start at t = {}: give the end time with --t-end T",
+                                 plan.end, begin));
+  return plan;
+}
+
+/// What is known before the first step.
+RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
+  const SimulationSettings s = simulation_settings(problem.settings);
+  const SchemeDescription description = describe(s, particles.dimension);
+  RunRecord record;
+  record.scene = problem.scene->name();
+  record.scheme = s.scheme;
+  record.kernel = s.kernel;
+  record.neighbours = s.neighbours;
+  record.n = problem.settings.has("scene.n") ? problem.settings.integer("scene.n") : 0;
+  record.particles = particles.size();
+  record.dimension = particles.dimension;
+  record.platform = detect_platform(s.precision);
+  record.build = build();
+  record.left_out = description.left_out;
+  if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
+  return record;
+}
+
+std::string headline(const RunRecord& r) {
+  return fmt::format("sphk {}: {} with {} particles in {}D; {} on {}, {} threads, {} precision; scheme {}, kernel {}, {:g} "
+                     "neighbours",
+                     r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device,
+                     r.platform.threads, r.platform.precision, r.scheme, r.kernel, r.neighbours);
+}
+
+void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation, const Box& box) {
+  record.steps = loop.steps();
+  record.time = simulation.time();
+  record.wall_seconds = loop.wall();
+  record.cpu_seconds = loop.cpu();
+  record.output_seconds = output.seconds();
+  record.costs = simulation.costs();
+  record.conservation = drift(output.start(), simulation.totals(), box);
+  record.errors = output.errors();
+  for (const std::string& warning : simulation.warnings())
+    if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
+}
+
+std::string closing_words(const RunRecord& record, const RunOutput& output) {
+  const std::string folder = output.folder().string();
+  if (record.finished) return fmt::format("{} is complete; see it with: sphk plot {}", folder, folder);
+  return fmt::format("stopped at t = {:.6g}, after step {}; the state is in {}/{}", record.time, record.steps, folder,
+                     output.last_snapshot());
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const Problem problem = resolve_problem(options.what, options.overrides);
+  if (options.dry_run) return dry_run_command(problem);
+  if (options.out && !options.overwrite) refuse_used_folder(*options.out);
+  const Stopwatch setup;
+  const ParticleSet particles = problem.scene->build(problem.settings);
+  const RunLoop::Plan plan = make_plan(problem.settings, particles.time);
+  RunRecord record = make_record(problem, particles);
+  Progress progress(options.json_log ? ProgressStyle::json : style_for(stdout),
+                    {.from = particles.time, .to = plan.end, .steps = plan.steps});
+  progress.say(headline(record));
+  for (const std::string& remark : record.warnings) progress.say("note: " + remark);
+  const auto simulation = make_simulation(particles, simulation_settings(problem.settings));
+  record.setup_seconds = setup.wall();
+
+  catch_stop_signals();
+  RunOutput output(make_run_folder(problem.scene->name(), options.out, options.overwrite), *problem.scene, problem.settings);
+  RunLoop loop(*simulation, output, progress, plan, particles.box);
+  const auto conclude = [&] {
+    add_results(record, loop, output, *simulation, particles.box);
+    write_text(output.folder() / "run.json", run_json(record));
+  };
+  try {
+    record.finished = loop.run() == RunLoop::End::finished;
+  } catch (const NumericsError& error) {
+    record.warnings.push_back(error.what());
+    conclude();
+    throw;
+  }
+  conclude();
+  if (!options.json_log) progress.say("\n" + final_table(record));
+  progress.say(closing_words(record, output));
+  return record.finished ? ExitCode::done : ExitCode::stopped;
+}
+
+}  // namespace sphk

@@ -1,0 +1,51 @@
+#include "src/cli/run_loop.hpp"
+
+#include "src/cli/stop_signal.hpp"
+#include "src/report/conservation.hpp"
+#include "src/report/machine.hpp"
+
+namespace sphk {
+
+RunLoop::RunLoop(Simulation& simulation, RunOutput& output, Progress& progress, Plan plan, const Box& box)
+    : simulation_(simulation),
+      output_(output),
+      progress_(progress),
+      plan_(plan),
+      box_(box),
+      begin_(simulation.time()) {}
+
+double RunLoop::output_time(long snapshot) const {
+  const double part = static_cast<double>(snapshot) / static_cast<double>(plan_.snapshots);
+  return snapshot == plan_.snapshots ? plan_.end : begin_ + part * (plan_.end - begin_);
+}
+
+bool RunLoop::over() const { return stop_requested() || (plan_.steps > 0 && steps_ >= plan_.steps); }
+
+void RunLoop::step(double until) {
+  const Stopwatch watch;
+  const StepReport report = simulation_.step(until);
+  wall_ += watch.wall();
+  cpu_ += watch.cpu();
+  ++steps_;
+  if (progress_.due()) tell(report);
+}
+
+void RunLoop::tell(const StepReport& report) {
+  progress_.report(report, simulation_.costs().updates, drift(output_.start(), simulation_.totals(), box_).energy);
+}
+
+RunLoop::End RunLoop::run() {
+  // A step that is cut short to an output time may miss it by round-off.
+  const double round_off = 1e-12 * (plan_.end - begin_);
+  output_.write(simulation_);
+  for (long snapshot = 1; snapshot <= plan_.snapshots && !over(); ++snapshot) {
+    const double until = output_time(snapshot);
+    while (simulation_.time() < until - round_off && !over()) step(until);
+    output_.write(simulation_);
+  }
+  if (steps_ > 0) tell(simulation_.last_step());
+  const bool complete = simulation_.time() >= plan_.end - round_off || (plan_.steps > 0 && steps_ >= plan_.steps);
+  return complete ? End::finished : End::stopped;
+}
+
+}  // namespace sphk

@@ -1,0 +1,61 @@
+#include "src/cli/run_output.hpp"
+
+#include <fmt/format.h>
+
+#include <Kokkos_Core.hpp>
+
+#include "src/cli/platform.hpp"
+#include "src/cli/scene_file.hpp"
+#include "src/report/machine.hpp"
+#include "src/report/text_file.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+SnapshotInfo snapshot_info(const Scene& scene, const Settings& settings) {
+  const SimulationSettings simulation = simulation_settings(settings);
+  SnapshotInfo info;
+  info.scene = scene.name();
+  info.scheme = simulation.scheme;
+  info.kernel = simulation.kernel;
+  info.precision = simulation.precision;
+  info.backend = Kokkos::DefaultExecutionSpace::name();
+  info.version = build().version;
+  info.git_revision = build().git_revision;
+  info.scene_text = used_scene_file(settings, scene.name());
+  info.neighbours = simulation.neighbours;
+  info.courant = simulation.courant;
+  info.settings = settings;
+  return info;
+}
+
+RunOutput::RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings)
+    : folder_(std::move(folder)),
+      scene_(scene),
+      settings_(settings),
+      info_(snapshot_info(scene, settings)),
+      compression_(settings.text("output.compression") == "gzip" ? Compression::gzip : Compression::none),
+      history_(folder_ / "history.csv") {
+  write_text(folder_ / "scene.used.toml", info_.scene_text);
+}
+
+void RunOutput::write(const Simulation& simulation) {
+  const StepReport step = simulation.last_step();
+  if (step.step == last_step_) return;
+  const Stopwatch watch;
+  const Snapshot snapshot = simulation.snapshot();
+  const std::string name = fmt::format("snap_{:04}.hdf5", series_.size());
+  write_snapshot(folder_ / name, snapshot, info_, compression_);
+  series_.push_back({name, snapshot.time});
+  write_series(folder_, series_);
+  errors_ = scene_.errors(settings_, snapshot);
+  History::Measures measures = scene_.measures(settings_, snapshot);
+  for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
+  const Totals totals = simulation.totals();
+  if (!start_) start_ = totals;
+  history_.add(step, totals, drift(*start_, totals, snapshot.box), measures);
+  last_step_ = step.step;
+  seconds_ += watch.wall();
+}
+
+}  // namespace sphk

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/engine/simulation.hpp"
+#include "src/io/snapshot_writer.hpp"
+#include "src/report/history.hpp"
+#include "src/scenes/scene.hpp"
+
+namespace sphk {
+
+/// What a run writes at its output times: snapshots, their series file and the rows of history.csv.
+class RunOutput {
+ public:
+  /// `scene` and `settings` must outlive this. Writes scene.used.toml at once.
+  RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings);
+
+  /// Writes the next snapshot and row, unless the current step is written already. Throws InputError.
+  void write(const Simulation& simulation);
+
+  /// The scene's error norms at the last output.
+  const std::map<std::string, ErrorNorm>& errors() const { return errors_; }
+  double seconds() const { return seconds_; }
+  /// The conserved sums at the first output.
+  const Totals& start() const { return *start_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::string& last_snapshot() const { return series_.back().name; }
+
+ private:
+  std::filesystem::path folder_;
+  const Scene& scene_;
+  const Settings& settings_;
+  SnapshotInfo info_;
+  Compression compression_;
+  History history_;
+  std::vector<SeriesEntry> series_;
+  std::map<std::string, ErrorNorm> errors_;
+  std::optional<Totals> start_;
+  long last_step_ = -1;
+  double seconds_ = 0;
+};
+
+/// What the files of a run say about it.
+SnapshotInfo snapshot_info(const Scene& scene, const Settings& settings);
+
+}  // namespace sphk

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include "src/cli/commands.hpp"
+#include "src/report/quantity.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+void print_list(const char* title, const std::vector<std::string>& items, const char* separator) {
+  if (!items.empty()) fmt::print("  {:<12} {}\n", title, fmt::join(items, separator));
+}
+
+void print_keys(const Settings& settings) {
+  const char* origin[] = {"", " (scene)", " (file)", " (command line)"};
+  fmt::print("\n  {:<24} {:<22} {}\n", "key", "value", "meaning");
+  for (const Key& key : settings.keys()) {
+    fmt::print("  {:<24} {:<22} {}", key.name, to_text(key.value) + origin[static_cast<int>(key.origin)], key.doc);
+    if (!key.choices.empty() && key.choices.size() <= 6) fmt::print(" [{}]", fmt::join(key.choices, ", "));
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
+
+int show_command(const std::string& what, const std::vector<Override>& overrides) {
+  const Problem problem = resolve_problem(what, overrides);
+  const ParticleSet particles = problem.scene->build(with_lattice(problem.settings));
+  const SchemeDescription d = describe(simulation_settings(problem.settings), particles.dimension);
+  fmt::print("{}: {}\n\n", problem.scene->name(), problem.scene->summary());
+  fmt::print("  {:<12} {} in {}D, box {:g} x {:g} x {:g}\n", "particles", particles.size(), d.dimension,
+             particles.box.size[0], particles.box.size[1], particles.box.size[2]);
+  fmt::print("  {:<12} {}, kernel {}{}, {} precision\n", "scheme", d.scheme, d.kernel, d.tabulated ? " (tabulated)" : "",
+             d.precision);
+  print_list("passes", d.passes, " -> ");
+  print_list("terms", d.terms, ", ");
+  print_list("fields", d.fields, ", ");
+  fmt::print("  {:<12} {:.0f} bytes per particle ({}), {:.0f} operations per pair\n", "cost", d.bytes_per_particle,
+             bytes_text(d.bytes_per_particle * static_cast<double>(particles.size())), d.flops_per_pair);
+  print_list("left out", d.left_out, "\n               ");
+  print_keys(problem.settings);
+  return ExitCode::done;
+}
+
+}  // namespace sphk

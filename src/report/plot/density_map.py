@@ -1,0 +1,73 @@
+"""A slice through the density: the particles' own values, weighted by a smoothing kernel at the centre of each pixel."""
+
+import numpy as np
+from matplotlib.colors import LogNorm, Normalize
+from mpl_toolkits.axes_grid1 import make_axes_locatable
+from style import LABELS, plt, save
+
+PIXELS = 320  # along the longer side
+RADIUS = 2.0  # of the weighting kernel, in units of the particles' spacing
+
+
+def weight(q):
+    """Wendland C2 up to its norm, which the division by the sum of weights removes."""
+    t = np.maximum(1 - q, 0)
+    return t**4 * (1 + 4 * q)
+
+
+def slice_of(snapshot):
+    """Distance to the plane, positions in it, values and kernel radii of the particles that reach it (x-y plane)."""
+    item = snapshot.item
+    rho, mass = snapshot.fields["rho"], snapshot.fields["m"]
+    radius = RADIUS * (mass / rho) ** (1.0 / item["dimension"])
+    flat = item["dimension"] < 3
+    z = np.zeros(len(rho)) if flat else snapshot.x[:, 2] - (item["box_lower"][2] + 0.5 * item["box_size"][2])
+    near = np.isfinite(rho) & (np.abs(z) < radius)
+    return z[near], snapshot.x[near, :2], rho[near], radius[near]
+
+
+def density_image(snapshot):
+    """The image, row 0 at the bottom; pixels that no particle reaches are NaN."""
+    item = snapshot.item
+    z, x, rho, radius = slice_of(snapshot)
+    lower, size = np.array(item["box_lower"][:2]), np.array(item["box_size"][:2])
+    pixel = size.max() / PIXELS
+    shape = np.maximum(1, np.round(size / pixel).astype(int))
+    sums, weights = np.zeros(shape[0] * shape[1]), np.zeros(shape[0] * shape[1])
+    home = np.floor((x - lower) / pixel).astype(int)
+    radius = np.maximum(radius, 1.5 * pixel)
+    reach = np.ceil(radius / pixel).astype(int)
+    for i in range(-reach.max(), reach.max() + 1):
+        for j in range(-reach.max(), reach.max() + 1):
+            near = reach >= max(abs(i), abs(j))
+            cell = home[near] + (i, j)
+            gap = lower + (cell + 0.5) * pixel - x[near]
+            w = weight(np.sqrt((gap**2).sum(1) + z[near] ** 2) / radius[near])
+            inside = ((cell >= 0) & (cell < shape)).all(1)
+            index = cell[inside, 0] * shape[1] + cell[inside, 1]
+            weights += np.bincount(index, weights=w[inside], minlength=len(weights))
+            sums += np.bincount(index, weights=(w * rho[near])[inside], minlength=len(sums))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return (sums / weights).reshape(shape).T
+
+
+def draw_density_map(snapshot, path):
+    item = snapshot.item
+    image = density_image(snapshot)
+    low, high = np.nanmin(image), np.nanmax(image)
+    middle = 0.5 * (low + high)
+    spread = max(high - low, 1e-3 * abs(middle))
+    norm = LogNorm(low, high) if low > 0 and high > 20 * low else Normalize(middle - spread / 2, middle + spread / 2)
+    lower, size = item["box_lower"], item["box_size"]
+    shape = min(max(size[1] / size[0], 0.25), 2.0)
+    figure, axes = plt.subplots(figsize=(7.4, 5.6 * shape + 1.5), constrained_layout=True)
+    picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
+                          extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
+    axes.grid(False)
+    axes.set_xlabel("$x$")
+    axes.set_ylabel("$y$")
+    where = "" if item["dimension"] < 3 else f", slice at z = {lower[2] + 0.5 * size[2]:.3g}"
+    axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
+    bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
+    figure.colorbar(picture, cax=bar, label=LABELS["rho"])
+    save(figure, path)

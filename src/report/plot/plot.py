@@ -1,0 +1,45 @@
+"""Draws the figures of `sphk plot`: reads a work order (JSON) on standard input, prints the names of the files."""
+
+import json
+import os
+import sys
+
+MISSING_PACKAGE = 86  # src/cli/plot_script.cpp tries another Python, then names the packages
+
+# The cache of matplotlib's fonts needs a folder that can be written.
+if not os.access(os.path.expanduser("~"), os.W_OK):
+    import tempfile
+
+    os.environ.setdefault("MPLCONFIGDIR", tempfile.mkdtemp(prefix="sphk-plot-"))
+
+try:
+    import h5py  # noqa: F401
+    import matplotlib  # noqa: F401
+    import numpy  # noqa: F401
+except ImportError:
+    sys.exit(MISSING_PACKAGE)
+
+from density_map import draw_density_map
+from history import draw_history, errors_at, read_history
+from profiles import draw_profiles
+from snapshot import Snapshot
+
+
+def has_map(item):
+    """Does a slice show more than the profile? Always in 2D, and around a centre in 3D."""
+    return item["dimension"] == 2 or (item["dimension"] == 3 and item["abscissa"] != "x")
+
+
+def main():
+    work = json.load(sys.stdin)
+    history = read_history(work["history"]) if work["history"] else {}
+    for item in work["snapshots"]:
+        snapshot = Snapshot(item)
+        draw_profiles(snapshot, errors_at(history, item["time"]), item["out"])
+        if has_map(item):
+            draw_density_map(snapshot, item["out"][: -len(".png")] + "_map.png")
+    if work.get("history_out") and len(history.get("time", [])) > 1:
+        draw_history(history, work["snapshots"][-1]["title"], work["history_out"])
+
+
+main()

@@ -1,0 +1,49 @@
+"""What the figures need of a snapshot: positions, the gas fields, and coordinates along the scene's abscissa."""
+
+import h5py
+import numpy as np
+
+DATASETS = {"rho": "Densities", "P": "Pressures", "u": "InternalEnergies", "A": "Entropies", "m": "Masses"}
+
+
+class Snapshot:
+    """Gas of one file. `item` is the work order of the command line: dimension, box, abscissa, centre, ..."""
+
+    def __init__(self, item):
+        self.item = item
+        with h5py.File(item["file"], "r") as file:
+            gas = file["PartType0"]
+            self.x = gas["Coordinates"][...].astype(float)
+            self.velocity = gas["Velocities"][...].astype(float)
+            self.fields = {name: gas[key][...] for name, key in DATASETS.items() if key in gas}
+
+    def offset(self):
+        """Vectors from the centre, by the nearest image along periodic axes."""
+        d = self.x - np.array(self.item["centre"])
+        for axis in range(self.item["dimension"]):
+            if self.item["periodic"][axis]:
+                size = self.item["box_size"][axis]
+                d[:, axis] -= size * np.round(d[:, axis] / size)
+        return d
+
+    def abscissa(self):
+        """x, the distance from the centre's z axis (R) or from the centre (r) of every particle."""
+        if self.item["abscissa"] == "x":
+            return self.x[:, 0]
+        d = self.offset()
+        return np.sqrt((d[:, :2] ** 2).sum(1) if self.item["abscissa"] == "R" else (d**2).sum(1))
+
+    def value(self, name):
+        """A field by its short name; v is the velocity along the abscissa."""
+        if name in self.fields:
+            return self.fields[name]
+        if name == "v_phi":
+            d = self.offset()
+            return (d[:, 0] * self.velocity[:, 1] - d[:, 1] * self.velocity[:, 0]) / np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-300)
+        if self.item["abscissa"] == "x":
+            return self.velocity[:, 0]
+        axes = 2 if self.item["abscissa"] == "R" else 3
+        return (self.offset()[:, :axes] * self.velocity[:, :axes]).sum(1) / np.maximum(self.abscissa(), 1e-300)
+
+    def can_show(self, name):
+        return name in self.fields or name.startswith("v")
