@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Kokkos_Macros.hpp>
 #include <type_traits>
 
 namespace sphk {
@@ -38,7 +39,7 @@ using Union = typename detail::Unite<List<>, Ls...>::type;
 
 /// Calls f.template operator()<T>() for every T of the list.
 template <class... Ts, class F>
-constexpr void for_each_type(List<Ts...>, F&& f) {
+KOKKOS_FORCEINLINE_FUNCTION constexpr void for_each_type(List<Ts...>, F&& f) {
   (f.template operator()<Ts>(), ...);
 }
 

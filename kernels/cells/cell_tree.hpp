@@ -1,0 +1,169 @@
+#pragma once
+
+#include "kernels/cells/domain.hpp"
+#include "kernels/core/columns.hpp"
+
+namespace sphk {
+
+inline constexpr int cell_size = 64;  ///< particles of a cell: 8 sub-cells
+inline constexpr int fan_out = 8;     ///< children of a node
+inline constexpr int max_levels = 12;
+
+/// Bounding boxes over sorted particles. A node of level l covers the particles [k 8^(l+1), (k+1) 8^(l+1)): level 0 are
+/// sub-cells, level 1 cells, and so on up to a top level of at most 8 nodes. The order of the particles makes them compact.
+template <int D>
+struct CellTree {
+  int n = 0;
+  int levels = 0;
+  int first[max_levels + 1] = {};  ///< where each level starts in `nodes`
+  Kokkos::View<Bounds<D>*, MemorySpace> nodes;
+  Domain<D> domain{};
+
+  CellTree() = default;
+  CellTree(int particles, const Domain<D>& box) : n(particles), domain(box) {
+    int count = (n + sub_cell_size - 1) / sub_cell_size, total = 0;
+    while (true) {
+      first[levels++] = total;
+      total += count;
+      if (levels >= 2 && count <= fan_out) break;
+      count = (count + fan_out - 1) / fan_out;
+    }
+    first[levels] = total;
+    nodes = Kokkos::View<Bounds<D>*, MemorySpace>("cell tree", total);
+  }
+
+  KOKKOS_INLINE_FUNCTION int count(int level) const { return first[level + 1] - first[level]; }
+  KOKKOS_INLINE_FUNCTION int cells() const { return (n + cell_size - 1) / cell_size; }
+  KOKKOS_INLINE_FUNCTION const Bounds<D>& node(int level, int k) const { return nodes(first[level] + k); }
+};
+
+namespace detail {
+
+template <int D, class C>
+struct FitSubCells {
+  CellTree<D> tree;
+  C columns;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int begin = k * sub_cell_size, end = min(begin + sub_cell_size, tree.n);
+    Bounds<D> b = Bounds<D>::empty();
+    for (int d = 0; d < D; ++d) {
+      const double* x = columns.template row<Position>(d);
+      for (int i = begin; i < end; ++i) b.lo[d] = min(b.lo[d], x[i]), b.hi[d] = max(b.hi[d], x[i]);
+    }
+    const double* h = columns.template row<Support>();
+    for (int i = begin; i < end; ++i) b.h_max = max(b.h_max, h[i]);
+    tree.nodes(tree.first[0] + k) = b;
+  }
+};
+
+template <int D>
+struct FitLevel {
+  CellTree<D> tree;
+  int level;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
+    Bounds<D> b = tree.node(level - 1, begin);
+    for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
+    tree.nodes(tree.first[level] + k) = b;
+  }
+};
+
+}  // namespace detail
+
+/// Recomputes every box and h_max from the columns.
+template <int D, class C>
+void fit(const CellTree<D>& tree, const C& columns) {
+  if (tree.n == 0) return;
+  Kokkos::parallel_for("fit sub-cells", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(0)),
+                       detail::FitSubCells<D, C>{tree, columns});
+  for (int level = 1; level < tree.levels; ++level)
+    Kokkos::parallel_for("fit cells", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
+                         detail::FitLevel<D>{tree, level});
+}
+
+/// The box of all particles and their largest h; call after fit().
+template <int D>
+KOKKOS_INLINE_FUNCTION Bounds<D> root(const CellTree<D>& tree) {
+  Bounds<D> b = Bounds<D>::empty();
+  for (int k = 0; k < tree.count(tree.levels - 1); ++k) b.include(tree.node(tree.levels - 1, k));
+  return b;
+}
+
+namespace detail {
+template <int D>
+struct CopyRoot {
+  CellTree<D> tree;
+  Kokkos::View<Bounds<D>, MemorySpace> to;
+  KOKKOS_INLINE_FUNCTION void operator()(int) const { to() = root(tree); }
+};
+}  // namespace detail
+
+/// root() brought to the host.
+template <int D>
+Bounds<D> bounds_of_all(const CellTree<D>& tree) {
+  Kokkos::View<Bounds<D>, MemorySpace> on_device("root box");
+  Kokkos::parallel_for("root box", Kokkos::RangePolicy<ExecutionSpace>(0, 1), detail::CopyRoot<D>{tree, on_device});
+  Bounds<D> all;
+  Kokkos::deep_copy(ExecutionSpace(), Kokkos::View<Bounds<D>, Kokkos::HostSpace>(&all), on_device);
+  ExecutionSpace().fence("root box");
+  return all;
+}
+
+/// Calls `visit(sub_cell, shift)` for every sub-cell, in every periodic image, whose box comes nearer to `target` than
+/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side.
+template <int D, class Reach, class Visit>
+KOKKOS_INLINE_FUNCTION void walk_image(const CellTree<D>& tree, const Bounds<D>& target, const double* shift,
+                                       const Reach& reach, Visit&& visit) {
+  struct Range {
+    int next, end;
+  };
+  Range stack[max_levels];
+  int level = tree.levels - 1;
+  stack[level] = {0, tree.count(level)};
+  while (level < tree.levels) {
+    if (stack[level].next == stack[level].end) {
+      ++level;
+      continue;
+    }
+    const int k = stack[level].next++;
+    const Bounds<D>& node = tree.node(level, k);
+    const double distance = reach(node.h_max);
+    if (target.distance2(node, shift) >= distance * distance) continue;
+    if (level == 0) {
+      visit(k, shift);
+    } else {
+      --level;
+      const int begin = k * fan_out;
+      stack[level] = {begin, min(begin + fan_out, tree.count(level))};
+    }
+  }
+}
+
+/// Range of image numbers along axis d that can bring the particles within `distance` of the target.
+template <int D>
+KOKKOS_INLINE_FUNCTION void image_range(const CellTree<D>& tree, const Bounds<D>& all, const Bounds<D>& target, int d,
+                                        double distance, int& from, int& to) {
+  const double period = tree.domain.period[d];
+  from = to = 0;
+  if (period == 0) return;
+  from = static_cast<int>(Kokkos::ceil((target.lo[d] - distance - all.hi[d]) / period));
+  to = static_cast<int>(Kokkos::floor((target.hi[d] + distance - all.lo[d]) / period));
+}
+
+/// walk_image over every periodic image that can matter, also for supports wider than the box.
+template <int D, class Reach, class Visit>
+KOKKOS_INLINE_FUNCTION void walk(const CellTree<D>& tree, const Bounds<D>& all, const Bounds<D>& target,
+                                 const Reach& reach, Visit&& visit) {
+  int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
+  for (int d = 0; d < D; ++d) image_range(tree, all, target, d, reach(all.h_max), from[d], to[d]);
+  for (int a = from[0]; a <= to[0]; ++a)
+    for (int b = from[1]; b <= to[1]; ++b)
+      for (int c = from[2]; c <= to[2]; ++c) {
+        const int image[3] = {a, b, c};
+        double shift[D];
+        for (int d = 0; d < D; ++d) shift[d] = image[d] * tree.domain.period[d];
+        walk_image(tree, target, shift, reach, visit);
+      }
+}
+
+}  // namespace sphk

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <limits>
+
+#include "kernels/core/values.hpp"
+#include "kernels/smoothing/shape.hpp"
+
+namespace sphk {
+
+/// A smoothing kernel in D dimensions with its norm: W(r, h) = N_D h^-D w(r/h).
+template <class Kernel, int D>
+struct Smoothing {
+  Kernel kernel;
+  double norm;
+  explicit Smoothing(const Kernel& k) : kernel(k), norm(k.norm(D)) {}
+};
+
+template <int D, class P>
+KOKKOS_FORCEINLINE_FUNCTION P power_of_dimension(const P& x) {
+  if constexpr (D == 1) return x;
+  else if constexpr (D == 2) return x * x;
+  else return x * x * x;
+}
+
+namespace detail {
+/// 1/r, finite for coincident particles, so that e_ij = r_ij / r = 0 there.
+template <class P>
+KOKKOS_FORCEINLINE_FUNCTION P inverse_length(const P& r2) {
+  using T = lane_t<P>;
+  return P(T(1)) / sphk::sqrt(sphk::max(r2, P(std::numeric_limits<T>::min())));
+}
+}  // namespace detail
+
+/// A pair as the gather sums of particle i see it: W(r_ij, h_i) alone.
+template <class P, int D>
+struct GatherPair {
+  Vec<P, D> r_ij;    ///< x_i - x_j
+  P q;               ///< r / h_i
+  P W;               ///< W(r, h_i)
+  P dW_dh;           ///< dW/dh_i at fixed r, by the kernel's own derivative
+  Vec<P, D> grad_W;  ///< grad_i W(r, h_i)
+};
+
+template <class P, int D, class Kernel>
+KOKKOS_FORCEINLINE_FUNCTION GatherPair<P, D> gather_pair(const Smoothing<Kernel, D>& smoothing, const auto& i,
+                                                         const auto& j) {
+  using T = lane_t<P>;
+  GatherPair<P, D> ij;
+  ij.r_ij = i.x - j.x;
+  const P r2 = dot(ij.r_ij, ij.r_ij);
+  const P r_inv = detail::inverse_length(r2);
+  ij.q = r2 * r_inv * i.h_inv;
+  const P scale = P(T(smoothing.norm)) * power_of_dimension<D>(i.h_inv);
+  const Shape<P> shape = smoothing.kernel(ij.q);
+  const Shape<P> own = with_own_derivative(smoothing.kernel, ij.q);
+  ij.W = scale * shape.w;
+  ij.dW_dh = -(scale * i.h_inv) * (P(T(D)) * own.w + ij.q * own.dw);
+  ij.grad_W = (scale * i.h_inv * shape.dw * r_inv) * ij.r_ij;
+  return ij;
+}
+
+/// A pair as the rates see it: the kernels of both sides and their mean.
+template <class P, int D>
+struct SymmetricPair {
+  Vec<P, D> r_ij;      ///< x_i - x_j
+  P r, r_inv;          ///< |r_ij| and its inverse
+  P q;                 ///< r / h_i
+  P q_min;             ///< r / max(h_i, h_j): the pair takes part where it is below 1
+  Vec<P, D> grad_W_i;  ///< grad_i W(r, h_i)
+  Vec<P, D> grad_W_j;  ///< grad_i W(r, h_j)
+  Vec<P, D> grad_W;    ///< their mean, grad_i Wbar
+};
+
+template <class P, int D, class Kernel>
+KOKKOS_FORCEINLINE_FUNCTION SymmetricPair<P, D> symmetric_pair(const Smoothing<Kernel, D>& smoothing, const auto& i,
+                                                               const auto& j) {
+  using T = lane_t<P>;
+  SymmetricPair<P, D> ij;
+  ij.r_ij = i.x - j.x;
+  const P r2 = dot(ij.r_ij, ij.r_ij);
+  ij.r_inv = detail::inverse_length(r2);
+  ij.r = r2 * ij.r_inv;
+  ij.q = ij.r * i.h_inv;
+  ij.q_min = ij.r * sphk::min(i.h_inv, j.h_inv);
+  const P norm = P(T(smoothing.norm));
+  const P dW_i = norm * i.h_inv * power_of_dimension<D>(i.h_inv) * smoothing.kernel(ij.q).dw * ij.r_inv;
+  const P dW_j = norm * j.h_inv * power_of_dimension<D>(j.h_inv) * smoothing.kernel(ij.r * j.h_inv).dw * ij.r_inv;
+  ij.grad_W_i = dW_i * ij.r_ij;
+  ij.grad_W_j = dW_j * ij.r_ij;
+  ij.grad_W = (P(T(0.5)) * (dW_i + dW_j)) * ij.r_ij;
+  return ij;
+}
+
+}  // namespace sphk

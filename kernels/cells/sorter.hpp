@@ -1,0 +1,144 @@
+#pragma once
+
+#include "kernels/cells/domain.hpp"
+#include "kernels/cells/hilbert.hpp"
+#include "kernels/cells/radix_sort.hpp"
+
+namespace sphk {
+
+/// Particles of a block that is ordered as a kd tree after the sort along the Hilbert curve.
+inline constexpr int block_size = 4096;
+
+namespace detail {
+
+template <int D, class C>
+struct CurveKeys {
+  C columns;
+  Domain<D> domain;
+  double lo[D], scale[D];  ///< (x - lo) * scale is in [0, 1]
+  RadixSort::Keys keys;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    constexpr double cells = static_cast<double>(std::uint64_t(1) << curve_bits<D>);
+    std::uint64_t a[D];
+    for (int d = 0; d < D; ++d) {
+      double& x = columns.template at<Position>(i, d);
+      x = domain.wrapped(x, d);
+      const double cell = (x - lo[d]) * scale[d] * cells;
+      a[d] = cell <= 0 ? 0 : static_cast<std::uint64_t>(min(cell, cells - 1));
+    }
+    keys(i) = hilbert_key<D>(a);
+  }
+};
+
+/// Orders one block of particles so that every aligned run of 8 * 2^k of them has a compact box: median splits of the
+/// longest axis, down to the sub-cells.
+template <int D, class C>
+struct OrderBlock {
+  C columns;
+  RadixSort::Indices indices;
+  int n;
+
+  KOKKOS_INLINE_FUNCTION double x(int k, int d) const { return columns.template row<Position>(d)[indices(k)]; }
+
+  KOKKOS_INLINE_FUNCTION int longest_axis(int begin, int end) const {
+    int axis = 0;
+    double longest = -1;
+    for (int d = 0; d < D; ++d) {
+      double lo = x(begin, d), hi = lo;
+      for (int k = begin + 1; k < end; ++k) lo = min(lo, x(k, d)), hi = max(hi, x(k, d));
+      if (hi - lo > longest) longest = hi - lo, axis = d;
+    }
+    return axis;
+  }
+
+  /// Quickselect: afterwards [begin, middle) is not above [middle, end) along the axis.
+  KOKKOS_INLINE_FUNCTION void split(int begin, int middle, int end, int axis) const {
+    int lo = begin, hi = end - 1;
+    while (lo < hi) {
+      const double pivot = x((lo + hi) / 2, axis);
+      int a = lo - 1, b = hi + 1;
+      while (true) {
+        do ++a;
+        while (x(a, axis) < pivot);
+        do --b;
+        while (x(b, axis) > pivot);
+        if (a >= b) break;
+        const int swapped = indices(a);
+        indices(a) = indices(b);
+        indices(b) = swapped;
+      }
+      if (middle <= b) hi = b;
+      else lo = b + 1;
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int block) const {
+    const int first = block * block_size, last = min(first + block_size, n);
+    for (int size = block_size; size > sub_cell_size; size /= 2)
+      for (int begin = first; begin + size / 2 < last; begin += size) {
+        const int end = min(begin + size, last);
+        split(begin, begin + size / 2, end, longest_axis(begin, end));
+      }
+  }
+};
+
+template <class Rows>
+struct PermuteRows {
+  Rows from, to;
+  RadixSort::Indices indices;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    const int source = indices(i);
+    for (int row = 0; row < static_cast<int>(from.extent(0)); ++row) to(row, i) = from(row, source);
+  }
+};
+
+template <class V>
+struct PermuteVector {
+  V from, to;
+  RadixSort::Indices indices;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const { to(i) = from(indices(i)); }
+};
+
+}  // namespace detail
+
+using Ids = Kokkos::View<std::uint64_t*, MemorySpace>;
+
+/// Sorts particles in space so that aligned runs of 8, 64, 512, ... of them are compact: along the Hilbert curve, then as a
+/// kd tree inside blocks. Wraps positions into the periodic box. Holds the second buffers, so nothing is allocated later.
+template <int D, class C>
+class Sorter {
+ public:
+  Sorter() = default;
+  explicit Sorter(int n) : sort_(n), other_("columns, other", n), other_ids_("ids, other", n) {}
+
+  void operator()(C& columns, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
+    const int n = static_cast<int>(ids.extent(0));
+    if (n == 0) return;
+    const Kokkos::RangePolicy<ExecutionSpace> particles(0, n);
+    detail::CurveKeys<D, C> curve{columns, domain, {}, {}, sort_.keys};
+    for (int d = 0; d < D; ++d) {
+      curve.lo[d] = domain.period[d] > 0 ? domain.lower[d] : all.lo[d];
+      const double size = domain.period[d] > 0 ? domain.period[d] : all.hi[d] - all.lo[d];
+      curve.scale[d] = size > 0 ? 1 / size : 0;
+    }
+    Kokkos::parallel_for("sort: curve keys", particles, curve);
+    sort_.sort();
+    Kokkos::parallel_for("sort: kd order",
+                         Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
+                             0, (n + block_size - 1) / block_size, Kokkos::ChunkSize(1)),
+                         detail::OrderBlock<D, C>{columns, sort_.indices, n});
+    using Rows = decltype(columns.data);
+    Kokkos::parallel_for("sort: permute", particles,
+                         detail::PermuteRows<Rows>{columns.data, other_.data, sort_.indices});
+    Kokkos::parallel_for("sort: permute ids", particles, detail::PermuteVector<Ids>{ids, other_ids_, sort_.indices});
+    std::swap(columns.data, other_.data);
+    std::swap(ids, other_ids_);
+  }
+
+ private:
+  RadixSort sort_;
+  C other_;
+  Ids other_ids_;
+};
+
+}  // namespace sphk

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <limits>
+
+#include "kernels/cells/cell_tree.hpp"
+
+namespace sphk {
+
+/// Origin of the relative coordinates and velocities of a cell's pair arithmetic: floats then resolve differences, not
+/// places, wherever the cell is and however fast it moves.
+template <int D>
+struct Frame {
+  double x[D];
+  double v[D];
+
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION double reference(int component) const {
+    if constexpr (std::is_same_v<F, Position>) return x[component];
+    else if constexpr (std::is_same_v<F, Velocity>) return v[component];
+    else return 0;
+  }
+  /// The frame of the particles around `bounds`, moving with particle i.
+  template <class C>
+  KOKKOS_INLINE_FUNCTION static Frame of(const Bounds<D>& bounds, const C& columns, int i) {
+    Frame frame;
+    for (int d = 0; d < D; ++d) {
+      frame.x[d] = 0.5 * (bounds.lo[d] + bounds.hi[d]);
+      frame.v[d] = columns.template at<Velocity>(i, d);
+    }
+    return frame;
+  }
+  KOKKOS_INLINE_FUNCTION Frame shifted(const double* shift) const {
+    Frame frame = *this;
+    for (int d = 0; d < D; ++d) frame.x[d] -= shift[d];
+    return frame;
+  }
+};
+
+/// Particle i as the pair arithmetic sees it: T, relative to the frame, in every lane of P.
+template <class P, int D, class... F, class C>
+KOKKOS_FORCEINLINE_FUNCTION Values<P, D, List<F...>> load_relative(List<F...>, const C& columns, const Frame<D>& frame,
+                                                                    int i) {
+  using T = lane_t<P>;
+  Values<P, D, List<F...>> values;
+  const auto fill = [&]<class G>() {
+    P* c = component_array<G>(values);
+    for (int k = 0; k < components<G, D>; ++k)
+      c[k] = P(static_cast<T>(columns.template at<G>(i, k) - frame.template reference<G>(k)));
+  };
+  (fill.template operator()<F>(), ...);
+  return values;
+}
+
+/// Candidate neighbours side by side in scratch memory: a row of T per component of the fields, `count` entries each.
+template <class T, int D, class FieldList>
+struct Tile {
+  using Fields = FieldList;
+  static constexpr int rows = component_count<D, FieldList>;
+  static constexpr int capacity = 2048;
+  static constexpr int stride = capacity + 64 / static_cast<int>(sizeof(T));  ///< an odd number of cache lines
+  static constexpr int entries = rows * stride;
+
+  T* data;
+  int count = 0;
+
+  template <class F>
+  KOKKOS_FORCEINLINE_FUNCTION T* row(int component = 0) const {
+    return data + (component_offset<D, F, FieldList> + component) * stride;
+  }
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION Values<P, D, FieldList> load(int k) const {
+    Values<P, D, FieldList> values;
+    for_each_type(FieldList{}, PackLoader<P>{*this, values, k});
+    return values;
+  }
+
+  /// Appends the first `n` of eight particles listed in `index`, beginning at particle j0, relative to the frame.
+  template <class C>
+  KOKKOS_FORCEINLINE_FUNCTION void append(const C& columns, const Frame<D>& frame, int j0, const int* index, int n) {
+    for_each_type(FieldList{}, Appender<C>{*this, columns, frame, j0, index, n});
+    count += n;
+  }
+  /// Replaces the contents by the listed entries of another tile.
+  KOKKOS_FORCEINLINE_FUNCTION void assign(const Tile& from, const int* index, int n) {
+    for (int row = 0; row < rows; ++row) {
+      const T* source = from.data + row * stride;
+      T* to = data + row * stride;
+      for (int k = 0; k < n; ++k) to[k] = source[index[k]];
+    }
+    count = n;
+  }
+  /// Fills up to a multiple of `width` with copies of the last entry moved out of everybody's reach.
+  KOKKOS_FORCEINLINE_FUNCTION void pad(int width, T far_away) {
+    while (count % width != 0) {
+      for (int row = 0; row < rows; ++row) data[row * stride + count] = data[row * stride + count - 1];
+      row<Position>()[count] = far_away;
+      ++count;
+    }
+  }
+
+ private:
+  template <class P>
+  struct PackLoader {
+    const Tile& tile;
+    Values<P, D, FieldList>& values;
+    int k;
+    template <class F>
+    KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
+      P* c = component_array<F>(values);
+      for (int a = 0; a < components<F, D>; ++a) c[a] = sphk::load<P>(tile.template row<F>(a) + k);
+    }
+  };
+  template <class C>
+  struct Appender {
+    const Tile& tile;
+    const C& columns;
+    const Frame<D>& frame;
+    int j0;
+    const int* index;
+    int n;
+    template <class F>
+    KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
+      for (int a = 0; a < components<F, D>; ++a) {
+        T* to = tile.template row<F>(a) + tile.count;
+        const double* from = columns.template row<F>(a) + j0;
+        const double reference = frame.template reference<F>(a);
+        if (n == sub_cell_size)
+          for (int k = 0; k < sub_cell_size; ++k) to[k] = static_cast<T>(from[k] - reference);
+        else
+          for (int k = 0; k < n; ++k) to[k] = static_cast<T>(from[index[k]] - reference);
+      }
+    }
+  };
+};
+
+}  // namespace sphk

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "kernels/passes/run.hpp"
+
+namespace sphk {
+
+/// The scheme integrates the entropy function A, P = A rho^gamma; du/dt of dissipation feeds it.
+struct EntropyForm {
+  static constexpr const char* name = "entropy";
+  KOKKOS_INLINE_FUNCTION static double pressure(double A, double rho, double gamma) {
+    return A * Kokkos::pow(rho, gamma);
+  }
+  /// dA/dt = (gamma-1) rho^(1-gamma) du/dt (S12 eq 31).
+  KOKKOS_INLINE_FUNCTION static double rate(double du, double rho, double gamma) {
+    return du == 0 ? 0 : (gamma - 1) * Kokkos::pow(rho, 1 - gamma) * du;
+  }
+  /// dA/dt from the rate of the integrated variable; `work` is P/rho^2 drho/dt, which A does not feel.
+  KOKKOS_INLINE_FUNCTION static double entropy_rate(double dA, double, double, double) { return dA; }
+  KOKKOS_INLINE_FUNCTION static double from_energy(double u, double rho, double gamma) {
+    return (gamma - 1) * u * Kokkos::pow(rho, 1 - gamma);
+  }
+};
+
+/// The scheme integrates the specific energy u, P = (gamma-1) rho u.
+struct EnergyForm {
+  static constexpr const char* name = "energy";
+  KOKKOS_INLINE_FUNCTION static double pressure(double u, double rho, double gamma) { return (gamma - 1) * rho * u; }
+  KOKKOS_INLINE_FUNCTION static double rate(double du, double, double) { return du; }
+  KOKKOS_INLINE_FUNCTION static double entropy_rate(double du, double work, double rho, double gamma) {
+    return (gamma - 1) * Kokkos::pow(rho, 1 - gamma) * (du - work);
+  }
+  KOKKOS_INLINE_FUNCTION static double from_energy(double u, double, double) { return u; }
+};
+
+namespace detail {
+
+template <class S>
+struct EvaluateState {
+  State<S> state;
+
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void set(int i, double value) const {
+    if constexpr (contains<F, typename S::Fields>) state.template at<F>(i) = value;
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    constexpr int D = S::dimension;
+    using Fields = typename S::Fields;
+    const double rho = state.template at<Density>(i), h = state.template at<Support>(i);
+    const double gamma = state.parameters.gamma;
+    const double P = S::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
+    const double c = Kokkos::sqrt(gamma * P / rho);
+    set<Pressure>(i, P);
+    set<PressureOverDensity2>(i, P / (rho * rho));
+    set<InverseDensity>(i, 1 / rho);
+    set<SoundSpeed>(i, c);
+    if constexpr (contains<GradHMass, Fields>) {
+      const double h_Dn = h / (D * state.template at<NumberDensity>(i));
+      set<GradHMass>(i, -h_Dn * state.template at<DensitySlope>(i) /
+                            (1 + h_Dn * state.template at<NumberDensitySlope>(i)));
+    }
+    if constexpr (contains<Balsara, Fields>) {
+      double curl2 = 0;
+      for (int d = 0; d < curl_size<D>; ++d) {
+        const double component = state.template at<VelocityCurl>(i, d);
+        curl2 += component * component;
+      }
+      const double div = abs(state.template at<VelocityDivergence>(i));
+      const double sum = div + Kokkos::sqrt(curl2) + 1e-4 * c / h;
+      set<Balsara>(i, sum > 0 ? div / sum : 1);
+    }
+  }
+};
+
+}  // namespace detail
+
+/// Pressure, sound speed, Balsara's factor (S12 eq 32), z of grad-h: what the terms read beside the density.
+struct StateEquation {
+  static constexpr const char* name = "equation of state";
+  using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, GradHMass, Balsara>;
+  template <class S>
+  static void run(Run<S>& run) {
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                         detail::EvaluateState<S>{run.state});
+  }
+};
+
+}  // namespace sphk

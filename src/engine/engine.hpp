@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Kokkos_Core.hpp>
+#include <Kokkos_Profiling_ScopedRegion.hpp>
+#include <Kokkos_Timer.hpp>
+
+#include "src/engine/diagnostics.hpp"
+#include "src/engine/loading.hpp"
+#include "src/engine/output.hpp"
+#include "src/engine/scheme.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace sphk {
+
+/// A run of scheme S: the passes of a step in order, each with a timer and a profiling region.
+template <class S>
+class Engine final : public Simulation {
+ public:
+  static constexpr int D = S::dimension;
+  static constexpr int count_interval = 50;  ///< steps between two counts of true neighbours
+
+  Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
+      : run_{load<S>(particles, settings, kernel)},
+        origin_(particles.box),
+        steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 1e-2 : 1e-3),
+        max_dt_(settings.max_dt) {
+    pass_steps(typename S::Steps{});
+    require_finite(run_);
+    seconds_.assign(seconds_.size(), 0.0);
+    run_.accept = steps_accept_;
+    count_neighbours(run_.state, report_);
+  }
+
+  StepReport step(double t_end) override {
+    run_.dt = next_dt(t_end);
+    note_limiting_particle();
+    ++run_.step;
+    pass_steps(typename S::Steps{});
+    run_.time = t_end - run_.time <= run_.dt * (1 + 1e-12) ? t_end : run_.time + run_.dt;
+    require_finite(run_);
+    report_.step = run_.step;
+    report_.time = run_.time;
+    report_.dt = run_.dt;
+    report_.updates = run_.state.n;
+    if (run_.step % count_interval == 0) count_neighbours(run_.state, report_);
+    costs_.updates += run_.state.n;
+    costs_.pair_interactions += report_.mean_neighbours * run_.state.n;
+    searches_ += run_.searches;
+    return report_;
+  }
+
+  double time() const override { return run_.time; }
+  std::size_t size() const override { return static_cast<std::size_t>(run_.state.n); }
+  StepReport last_step() const override { return report_; }
+  Totals totals() const override { return sphk::totals(run_.state); }
+
+  Costs costs() const override {
+    Costs costs = costs_;
+    costs.bytes_per_particle = bytes_per_particle<S>;
+    costs.flops = costs.pair_interactions * flops_per_pair<S>();
+    std::size_t k = 0;
+    for_each_pass(typename S::Steps{}, [&]<class Pass>() { costs.phases.emplace_back(Pass::name, seconds_[k++]); });
+    return costs;
+  }
+
+  Snapshot snapshot() const override { return take_snapshot(run_, origin_); }
+
+  std::vector<Field> rates(bool split) override {
+    run_.dt = 0;
+    run_.accept = 1e-7;
+    pass_steps(typename S::Steps{});
+    run_.accept = steps_accept_;
+    return take_rates(run_, split);
+  }
+
+  std::vector<std::string> warnings() const override { return support_warnings(searches_); }
+
+ private:
+  template <class... Pass, class F>
+  static void for_each_pass(Passes<Pass...>, F&& f) {
+    (f.template operator()<Pass>(), ...);
+  }
+
+  template <class... Pass>
+  void pass_steps(Passes<Pass...> passes) {
+    seconds_.resize(sizeof...(Pass));
+    std::size_t k = 0;
+    for_each_pass(passes, [&]<class P>() {
+      Kokkos::Profiling::ScopedRegion region(P::name);
+      Kokkos::Timer timer;
+      P::run(run_);
+      ExecutionSpace().fence(P::name);
+      seconds_[k++] += timer.seconds();
+    });
+  }
+
+  /// Where the particle sits that sets the next time-step; before the sort moves it.
+  void note_limiting_particle() {
+    const int i = run_.limit.particle;
+    if (i < 0) return;
+    const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(run_.state.ids, std::pair(i, i + 1)));
+    report_.limiting_id = one(0);
+    for (int d = 0; d < D; ++d) {
+      const auto x = Kokkos::create_mirror_view_and_copy(
+          Kokkos::HostSpace{}, Kokkos::subview(run_.state.columns.data, component_offset<D, Position, typename S::Fields> + d, std::pair(i, i + 1)));
+      report_.limiting_x[d] = x(0);
+    }
+  }
+
+  /// The limit's dt, cut to end at t_end without a sliver of a step after it.
+  double next_dt(double t_end) const {
+    const double limit = max_dt_ > 0 ? std::min(run_.limit.dt, max_dt_) : run_.limit.dt;
+    const double left = t_end - run_.time;
+    if (left <= limit) return left;
+    return left < 2 * limit ? 0.5 * left : limit;
+  }
+
+  Run<S> run_;
+  Box origin_;
+  double steps_accept_, max_dt_;
+  StepReport report_;
+  Costs costs_;
+  SupportCounts searches_;
+  std::vector<double> seconds_;
+};
+
+}  // namespace sphk

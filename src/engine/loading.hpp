@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernels/passes/step_passes.hpp"
+#include "src/engine/particle_set.hpp"
+#include "src/engine/simulation.hpp"
+
+namespace sphk {
+
+namespace detail {
+
+/// A first support radius from the volume of each particle's cell: the searches start near their ends.
+template <class S>
+struct GuessSupport {
+  State<S> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    constexpr int D = S::dimension;
+    if (state.template at<Support>(i) > 0) return;
+    const int cell = i / cell_size;
+    const Bounds<D>& b = state.tree.node(1, cell);
+    const int held = min(cell_size, state.n - cell * cell_size);
+    double longest = 0, volume = 1;
+    for (int d = 0; d < D; ++d) longest = max(longest, b.hi[d] - b.lo[d]);
+    for (int d = 0; d < D; ++d) volume *= max(b.hi[d] - b.lo[d], 0.1 * longest);
+    const double per_neighbour = volume / (held * unit_sphere<D>);
+    const double h = Kokkos::pow(state.parameters.neighbours * per_neighbour, 1.0 / D);
+    state.template at<Support>(i) = longest > 0 ? min(h, state.parameters.h_max) : 0.1 * state.parameters.h_max;
+  }
+};
+
+/// Turns the loaded specific energies into the scheme's thermal variable, with the standard density.
+template <class S>
+struct ThermalFromEnergy {
+  State<S> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    double& s = state.template at<Thermal>(i);
+    s = S::ThermalForm::from_energy(s, state.template at<Density>(i), state.parameters.gamma);
+  }
+};
+
+template <class S>
+void copy_to_columns(const State<S>& state, const ParticleSet& particles) {
+  constexpr int D = S::dimension;
+  auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
+  auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
+  using C = typename State<S>::Columns;
+  const auto row = [&]<class F>(F, int component) {
+    return &host(component_offset<D, F, typename C::Fields> + component, 0);
+  };
+  for (int i = 0; i < state.n; ++i) {
+    for (int d = 0; d < D; ++d) {
+      row(Position{}, d)[i] = particles.x[i][d];
+      row(Velocity{}, d)[i] = particles.v[i][d];
+    }
+    row(Mass{}, 0)[i] = particles.m[i];
+    row(Thermal{}, 0)[i] = particles.u[i];
+    row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
+    ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
+  }
+  Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);
+  Kokkos::deep_copy(ExecutionSpace(), state.ids, ids);
+  ExecutionSpace().fence("load particles");
+}
+
+}  // namespace detail
+
+/// Largest support radius of a run: the setting, or the box's diagonal where an axis is open, or none.
+inline double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
+  if (settings.h_max > 0) return settings.h_max;
+  double diagonal2 = 0;
+  bool open = false;
+  for (int d = 0; d < particles.dimension; ++d) {
+    diagonal2 += particles.box.size[d] * particles.box.size[d];
+    open = open || !particles.box.periodic[d];
+  }
+  return open ? std::sqrt(diagonal2) : 1e300;
+}
+
+/// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
+template <class S>
+Run<S> load(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
+  constexpr int D = S::dimension;
+  const int n = static_cast<int>(particles.size());
+  Domain<D> domain{};
+  for (int d = 0; d < D; ++d) {
+    domain.lower[d] = particles.box.lower[d];
+    domain.period[d] = particles.box.periodic[d] ? particles.box.size[d] : 0;
+  }
+  const Parameters parameters{.neighbours = settings.neighbours,
+                              .gamma = settings.gamma,
+                              .courant = settings.courant,
+                              .alpha = settings.viscosity_alpha,
+                              .beta = settings.viscosity_beta,
+                              .h_max = support_cap(particles, settings)};
+  using Columns = typename State<S>::Columns;
+  Run<S> run{State<S>{n, Columns("particles", n), Ids("ids", n), CellTree<D>(n, domain),
+                      Smoothing<typename S::Kernel, D>(kernel), parameters}};
+  run.sorter = Sorter<D, Columns>(n);
+  run.time = particles.time;
+  run.accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
+  detail::copy_to_columns(run.state, particles);
+  SortedCells::run(run);
+  const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
+  Kokkos::parallel_for("guess support", all, detail::GuessSupport<S>{run.state});
+  SmoothingLength::run(run);
+  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<S>{run.state});
+  return run;
+}
+
+}  // namespace sphk

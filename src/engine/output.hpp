@@ -1,0 +1,137 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "kernels/passes/step_passes.hpp"
+#include "src/engine/errors.hpp"
+#include "src/engine/particle_set.hpp"
+#include "src/engine/simulation.hpp"
+#include "src/engine/totals.hpp"
+
+namespace sphk {
+
+/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), ids, sort keys and cells.
+template <class S>
+inline constexpr double bytes_per_particle =
+    2.0 * sizeof(double) * State<S>::Columns::size + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
+
+/// Flops of one pair in a step: terms, distances and smoothing kernels of the density loop and of the rates loop.
+template <class S>
+constexpr double flops_per_pair() {
+  constexpr int distance = 3 * S::dimension + 3, gradient = S::dimension + 3;
+  return S::DensityTerms::flops + S::RateTerms::flops + 2 * distance + 3 * (S::Kernel::flops + gradient) + 4;
+}
+
+namespace detail {
+
+/// Columns on the host, with the order of ids.
+template <class S>
+struct HostColumns {
+  static constexpr int D = S::dimension;
+  using Fields = typename S::Fields;
+  std::vector<int> order;
+  decltype(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, typename State<S>::Columns{}.data)) data;
+  decltype(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Ids{})) ids;
+
+  explicit HostColumns(const State<S>& state)
+      : order(state.n),
+        data(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.columns.data)),
+        ids(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.ids)) {
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return ids(a) < ids(b); });
+  }
+  /// Component k of field F of the particle that is i-th by id.
+  template <class F>
+  double at(int i, int k = 0) const {
+    return data(component_offset<D, F, Fields> + k, order[i]);
+  }
+  /// A field as output: vectors padded to three components, a 2D curl in its z component.
+  template <class F>
+  Field field(std::string name, std::string description, UnitExponents units) const {
+    constexpr int size = components<F, D>;
+    constexpr bool is_vector = size > 1 || std::is_same_v<F, Position> || std::is_same_v<F, Velocity> ||
+                               std::is_same_v<F, Acceleration> || std::is_same_v<F, VelocityCurl>;
+    constexpr int first = std::is_same_v<F, VelocityCurl> && D < 3 ? 2 : 0;
+    Field out{std::move(name), std::move(description), units, is_vector ? 3 : 1, {}};
+    out.values.assign(order.size() * out.components, 0.0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (int k = 0; k < size; ++k)
+        out.values[i * out.components + (is_vector ? first + k : 0)] = at<F>(static_cast<int>(i), k);
+    return out;
+  }
+};
+
+template <class S, class F>
+Field scalar_field(const HostColumns<S>& host, std::string name, std::string description, UnitExponents units, F value) {
+  Field out{std::move(name), std::move(description), units, 1, std::vector<double>(host.order.size())};
+  for (std::size_t i = 0; i < host.order.size(); ++i) out.values[i] = value(static_cast<int>(i));
+  return out;
+}
+
+}  // namespace detail
+
+/// The state on the host, sorted by id, positions wrapped into the box.
+template <class S>
+Snapshot take_snapshot(const Run<S>& run, const Box& box) {
+  constexpr int D = S::dimension;
+  const detail::HostColumns<S> host(run.state);
+  const double gamma = run.state.parameters.gamma;
+  const auto pressure = [&](int i) {
+    return S::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
+  };
+  const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
+  Snapshot snapshot{.dimension = D, .box = box, .time = run.time, .step = run.step, .gamma = gamma, .id = {}, .fields = {}};
+  for (const int i : host.order) snapshot.id.push_back(host.ids(i));
+  auto& fields = snapshot.fields;
+  fields.push_back(host.template field<Position>("Coordinates", "Position", {1, 0, 0}));
+  for (std::size_t i = 0; i < snapshot.id.size(); ++i)
+    for (int d = 0; d < D; ++d) {
+      double& x = fields[0].values[3 * i + d];
+      x = run.state.tree.domain.wrapped(x, d);
+    }
+  fields.push_back(host.template field<Velocity>("Velocities", "Velocity", {1, 0, -1}));
+  fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
+  fields.push_back(host.template field<Density>("Densities", "Density, sum of m_j W(r_ij, h_i)", density));
+  fields.push_back(detail::scalar_field(host, "InternalEnergies", "Specific thermal energy", energy, [&](int i) {
+    return pressure(i) / ((gamma - 1) * host.template at<Density>(i));
+  }));
+  fields.push_back(detail::scalar_field(host, "Pressures", "Pressure", {2.0 - D, 1, -2}, pressure));
+  fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
+  const UnitExponents entropy{2 + D * (gamma - 1), 1 - gamma, -2};
+  fields.push_back(detail::scalar_field(host, "Entropies", "Entropy function A = P / rho^gamma", entropy, [&](int i) {
+    return pressure(i) / std::pow(host.template at<Density>(i), gamma);
+  }));
+  if constexpr (contains<VelocityDivergence, typename S::Fields>)
+    fields.push_back(host.template field<VelocityDivergence>("VelocityDivergence", "div v", {0, 0, -1}));
+  if constexpr (contains<Balsara, typename S::Fields>)
+    fields.push_back(host.template field<Balsara>("BalsaraFactors", "Balsara factor", {0, 0, 0}));
+  return snapshot;
+}
+
+/// Throws NumericsError naming the pass and the particle when the next time-step is not a positive finite number.
+template <class S>
+void require_finite(const Run<S>& run) {
+  if (run.state.n == 0 || (run.limit.dt > 0 && run.limit.dt < 1e299)) return;
+  throw NumericsError(
+      fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is {}: a velocity, an energy or a density is "
+                  "not finite. Look at the last snapshot around that particle; a smaller time.courant may help.",
+                  run.step, run.time, run.limit.particle, run.limit.dt));
+}
+
+inline std::vector<std::string> support_warnings(const SupportCounts& counts) {
+  std::vector<std::string> warnings;
+  if (counts.capped > 0)
+    warnings.push_back(fmt::format("{} searches ended at the largest support radius with fewer neighbours than asked: raise "
+                                   "sph.h_max or lower sph.neighbours",
+                                   counts.capped));
+  if (counts.failed > 0)
+    warnings.push_back(fmt::format("{} searches for a support radius did not converge", counts.failed));
+  return warnings;
+}
+
+}  // namespace sphk

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "kernels/smoothing/list.hpp"
+#include "kernels/smoothing/tabulated.hpp"
+#include "src/engine/engine.hpp"
+#include "src/schemes/instantiation.hpp"
+
+namespace sphk {
+
+namespace detail {
+
+template <class K>
+K make_kernel(const std::string& name) {
+  if constexpr (std::is_same_v<K, Tabulated>)
+    return with_kernel(name, [&](const auto& kernel) { return Tabulated(kernel, name); });
+  else
+    return K{};
+}
+
+template <class S>
+std::unique_ptr<Simulation> make_engine(const ParticleSet& particles, const SimulationSettings& settings) {
+  return std::make_unique<Engine<S>>(particles, settings, make_kernel<typename S::Kernel>(settings.kernel));
+}
+
+template <class S>
+SchemeDescription describe_scheme() {
+  SchemeDescription description;
+  description.dimension = S::dimension;
+  description.precision = std::is_same_v<typename S::PairNumber, float> ? "mixed" : "double";
+  [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(typename S::Steps{});
+  for_each_type(typename S::RateTerms::List{}, [&]<class T>() { description.terms.emplace_back(T::name); });
+  for_each_type(typename S::Fields{}, [&]<class F>() { description.fields.emplace_back(F::name); });
+  description.bytes_per_particle = bytes_per_particle<S>;
+  description.flops_per_pair = flops_per_pair<S>();
+  return description;
+}
+
+template <template <int, class, class> class S, int D, class T, class... K>
+void append(Instantiations& rows, const std::string& scheme, const std::string& energy, List<K...>) {
+  const std::string precision = std::is_same_v<T, float> ? "mixed" : "double";
+  const auto add = [&]<class Kernel>() {
+    std::string kernel;
+    if constexpr (!std::is_same_v<Kernel, Tabulated>) kernel = Kernel::name;
+    using Instance = S<D, Kernel, T>;
+    rows.push_back({scheme, energy, D, precision, kernel, make_engine<Instance>, describe_scheme<Instance>});
+  };
+  (add.template operator()<K>(), ...);
+}
+
+}  // namespace detail
+
+/// Rows for scheme S in D dimensions: mixed and double, with the curated kernels and with the table for all others.
+template <template <int, class, class> class S, int D, class... K>
+Instantiations instantiate(const std::string& scheme, const std::string& energy, List<K...> curated) {
+  Instantiations rows;
+  detail::append<S, D, float>(rows, scheme, energy, curated);
+  detail::append<S, D, double>(rows, scheme, energy, curated);
+  detail::append<S, D, float>(rows, scheme, energy, List<Tabulated>{});
+  detail::append<S, D, double>(rows, scheme, energy, List<Tabulated>{});
+  return rows;
+}
+
+}  // namespace sphk

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/engine/simulation.hpp"
+
+namespace sphk {
+
+/// One compiled scheme: what it is called and how it is made. The rows of the one table that run time chooses from.
+struct Instantiation {
+  std::string scheme;  ///< the name that users give
+  std::string energy;  ///< entropy | energy
+  int dimension;
+  std::string precision;  ///< mixed | double
+  std::string kernel;     ///< empty: any, through the table
+  std::unique_ptr<Simulation> (*make)(const ParticleSet&, const SimulationSettings&);
+  SchemeDescription (*describe)();
+};
+
+using Instantiations = std::vector<Instantiation>;
+
+// One source file each.
+Instantiations sph_entropy_1d(), sph_entropy_2d(), sph_entropy_3d();
+Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
+Instantiations tsph_entropy_1d(), tsph_entropy_2d(), tsph_entropy_3d();
+Instantiations tsph_energy_1d(), tsph_energy_2d(), tsph_energy_3d();
+Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
+
+}  // namespace sphk

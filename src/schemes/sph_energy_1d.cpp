@@ -1,0 +1,10 @@
+#include "src/schemes/classic.hpp"
+#include "src/schemes/instantiate.hpp"
+
+namespace sphk {
+
+Instantiations sph_energy_1d() {
+  return instantiate<SphEnergy, 1>("sph", "energy", List<>{});
+}
+
+}  // namespace sphk

@@ -1,0 +1,10 @@
+#include "src/schemes/classic.hpp"
+#include "src/schemes/instantiate.hpp"
+
+namespace sphk {
+
+Instantiations sph_energy_3d() {
+  return instantiate<SphEnergy, 3>("sph", "energy", List<>{});
+}
+
+}  // namespace sphk

@@ -1,0 +1,10 @@
+#include "src/schemes/classic.hpp"
+#include "src/schemes/instantiate.hpp"
+
+namespace sphk {
+
+Instantiations sph_entropy_3d() {
+  return instantiate<SphEntropy, 3>("sph", "entropy", List<CubicSpline, Hoct<4>>{});
+}
+
+}  // namespace sphk

@@ -1,0 +1,10 @@
+#include "src/schemes/classic.hpp"
+#include "src/schemes/instantiate.hpp"
+
+namespace sphk {
+
+Instantiations tsph_entropy_3d() {
+  return instantiate<TsphEntropy, 3>("tsph", "entropy", List<CoreTriangle, Hoct<4>>{});
+}
+
+}  // namespace sphk
