@@ -42,6 +42,9 @@ class Scene {
   virtual std::string summary() const = 0;
   /// Declares the keys of [scene] and prefers the engine keys that suit it (scheme, kernel, neighbours, gamma, time.end).
   virtual void declare(Settings& settings) const = 0;
+  /// Called once, after the file and the command line have set their keys: prefers values that follow from them, such
+  /// as gamma from scene.variant. Keys that the user set stay as they are.
+  virtual void adapt(Settings&) const {}
   virtual ParticleSet build(const Settings& settings) const = 0;
   /// The exact solution, if there is one.
   virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }

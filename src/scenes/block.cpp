@@ -1,0 +1,64 @@
+#include "src/scenes/block.hpp"
+
+#include <cmath>
+
+#include "src/scenes/glass.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Calls visit(i, j, k) for 0 <= i < counts[0] and so on, the last index fastest.
+template <class F>
+void for_each_cell(const Counts& counts, F&& visit) {
+  for (int i = 0; i < counts[0]; ++i)
+    for (int j = 0; j < counts[1]; ++j)
+      for (int k = 0; k < counts[2]; ++k) visit(Counts{i, j, k});
+}
+
+/// The place of a point given in spacings from the block's lower corner.
+Array3 in_block(const Block& block, const Array3& spacings) {
+  Array3 x{};
+  for (int axis = 0; axis < block.dimension; ++axis)
+    x[axis] = block.lower[axis] + block.size[axis] * spacings[axis] / block.counts[axis];
+  return x;
+}
+
+}  // namespace
+
+std::size_t Block::particles() const { return std::size_t(counts[0]) * counts[1] * counts[2]; }
+
+Counts even_counts(int dimension, int n) { return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1}; }
+
+double wrapped(double x, double size) {
+  const double inside = x - size * std::floor(x / size);
+  return inside < size ? inside : 0;  // a tiny negative x rounds up to the far edge
+}
+
+std::vector<Array3> lattice_points(const Block& block) {
+  std::vector<Array3> x;
+  x.reserve(block.particles());
+  for_each_cell(block.counts, [&](const Counts& cell) {
+    x.push_back(in_block(block, {cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5}));
+  });
+  return x;
+}
+
+std::vector<Array3> glass_points(const Block& block) {
+  const Counts tile = glass_tile(block.counts, block.dimension);
+  const std::vector<Array3> points = glass(block.dimension, tile);
+  const Counts tiles{block.counts[0] / tile[0], block.counts[1] / tile[1], block.counts[2] / tile[2]};
+  std::vector<Array3> x;
+  x.reserve(block.particles());
+  for_each_cell(tiles, [&](const Counts& cell) {
+    for (const Array3& p : points)
+      x.push_back(in_block(block, {p[0] + cell[0] * tile[0], p[1] + cell[1] * tile[1], p[2] + cell[2] * tile[2]}));
+  });
+  return x;
+}
+
+std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement) {
+  return arrangement == "glass" && block.dimension > 1 ? glass_points(block) : lattice_points(block);
+}
+
+}  // namespace sphk

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "src/engine/particle_set.hpp"
+
+namespace sphk {
+
+using Counts = std::array<int, 3>;
+
+/// A box of evenly spread particles: counts[k] of them along axis k; axes beyond the dimension count 1.
+struct Block {
+  int dimension = 3;
+  Counts counts{1, 1, 1};
+  Array3 lower{0, 0, 0};
+  Array3 size{1, 1, 1};
+
+  std::size_t particles() const;
+};
+
+/// counts = n along the first `dimension` axes, 1 along the others.
+Counts even_counts(int dimension, int n);
+
+/// x modulo size, in [0, size).
+double wrapped(double x, double size);
+
+/// Centres of the block's cells; coordinates beyond the dimension are 0.
+std::vector<Array3> lattice_points(const Block& block);
+
+/// Copies of a glass side by side, stretched to the block. The glass is relaxed at first use and cached (glass.hpp).
+/// Throws InputError where the counts have no common tile.
+std::vector<Array3> glass_points(const Block& block);
+
+/// `arrangement`: cubic | glass, as in the key scene.lattice. In 1D both are the lattice, which is what relaxes there.
+std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement);
+
+}  // namespace sphk

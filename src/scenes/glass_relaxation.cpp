@@ -1,0 +1,52 @@
+#include "src/scenes/glass_relaxation.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "src/scenes/keys.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Root mean square of density / mean density - 1.
+double scatter(const std::vector<double>& density) {
+  double sum = 0, squares = 0;
+  for (const double rho : density) sum += rho, squares += rho * rho;
+  const double mean = sum / double(density.size());
+  return std::sqrt(std::max(squares / double(density.size()) / (mean * mean) - 1, 0.0));
+}
+
+}  // namespace
+
+std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::vector<Array3> start) {
+  ParticleSet gas;
+  gas.dimension = dimension;
+  for (int axis = 0; axis < dimension; ++axis) gas.box.size[axis] = size[axis], gas.box.periodic[axis] = true;
+  gas.v.assign(start.size(), {});
+  gas.m.assign(start.size(), 1);
+  gas.u.assign(start.size(), 1);
+  gas.x = std::move(start);
+
+  SimulationSettings settings;
+  settings.scheme = "glass";
+  settings.neighbours = usual_neighbours(dimension);
+  const auto simulation = make_simulation(gas, settings);
+
+  constexpr int most_steps = 1000, steps_between_looks = 20;
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 1; step <= most_steps; ++step) {
+    simulation->step(std::numeric_limits<double>::max());
+    if (step % steps_between_looks != 0) continue;
+    const double now = scatter(simulation->snapshot().field("Densities").values);
+    if (now > 0.98 * before) break;
+    before = now;
+  }
+  const std::vector<double> x = simulation->snapshot().field("Coordinates").values;
+  std::vector<Array3> relaxed(x.size() / 3);
+  for (std::size_t i = 0; i < relaxed.size(); ++i) relaxed[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+  return relaxed;
+}
+
+}  // namespace sphk

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/scenes/block.hpp"
+#include "src/scenes/keys.hpp"
+#include "src/scenes/norms.hpp"
+#include "src/scenes/scenes.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Azimuthal velocity, S12 eq 45.
+double speed(double R) { return R < 0.2 ? 5 * R : R < 0.4 ? 2 - 5 * R : 0; }
+
+/// Pressure that balances it, S12 eq 46.
+double pressure(double R) {
+  if (R < 0.2) return 5 + 12.5 * R * R;
+  if (R < 0.4) return 9 + 12.5 * R * R - 20 * R + 4 * std::log(R / 0.2);
+  return 3 + 4 * std::log(2.0);
+}
+
+GasState vortex(const Array3& x) {
+  const double R = std::hypot(x[0], x[1]), rate = R > 0 ? speed(R) / R : 5;
+  return {1, {-rate * x[1], rate * x[0], 0}, pressure(R)};
+}
+
+Block block_of(const Settings& settings) {
+  const int n = scene_n(settings), layers = static_cast<int>(settings.integer("scene.layers"));
+  Block block{.dimension = scene_dimension(settings), .counts = {n, n, 1}, .lower = {-0.5, -0.5, 0}};
+  if (block.dimension == 2) return block;
+  block.counts[2] = layers > 0 ? layers : std::max(n / 8, 1);
+  block.size[2] = double(block.counts[2]) / n;
+  return block;
+}
+
+class Gresho : public Scene {
+ public:
+  std::string name() const override { return "gresho"; }
+  std::string summary() const override { return "vortex in balance: viscosity and noise in shear (S12 sec 7.3)"; }
+
+  void declare(Settings& settings) const override {
+    declare_resolution(settings, 64, "particles along the unit box");
+    declare_dimension(settings, 3, 2);
+    settings.declare({.name = "scene.layers", .value = std::int64_t{0},
+                      .doc = "particles along the axis of the vortex; 0: n/8, as in S12", .choices = {}, .min = 0,
+                      .max = 100000});
+    declare_arrangement(settings, "cubic");
+    prefer_unless_set(settings, "time.end", 1.0);
+    prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
+    adapt(settings);
+  }
+  void adapt(Settings& settings) const override {
+    prefer_unless_set(settings, "sph.neighbours", usual_neighbours(scene_dimension(settings)));
+  }
+
+  ParticleSet build(const Settings& settings) const override {
+    const Block block = block_of(settings);
+    const double gamma = settings.real("sph.gamma");
+    ParticleSet gas;
+    gas.dimension = block.dimension;
+    gas.box = {block.lower, block.size, {true, true, block.dimension == 3}};
+    gas.x = arranged_points(block, settings.text("scene.lattice"));
+    gas.m.assign(gas.size(), block.size[2] / double(gas.size()));
+    for (const Array3& x : gas.x) {
+      const GasState state = vortex(x);
+      gas.v.push_back(state.v);
+      gas.u.push_back(state.P / (gamma - 1));
+    }
+    return gas;
+  }
+
+  std::function<GasState(const Array3&, double)> exact(const Settings&) const override {
+    return [](const Array3& x, double) { return vortex(x); };
+  }
+  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+    return profile_errors(snapshot, along_R(0.5), exact(settings));
+  }
+  PlotHint plot_hint(const Settings&) const override { return {.abscissa = "R", .from = 0, .to = 0.5}; }
+};
+
+}  // namespace
+
+const Scene& gresho_scene() {
+  static const Gresho scene;
+  return scene;
+}
+
+}  // namespace sphk

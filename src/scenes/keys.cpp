@@ -1,0 +1,34 @@
+#include "src/scenes/keys.hpp"
+
+#include <algorithm>
+
+namespace sphk {
+
+void prefer_unless_set(Settings& settings, std::string_view name, const Value& value) {
+  const auto key = std::ranges::find(settings.keys(), name, &Key::name);
+  if (key == settings.keys().end() || key->origin == Origin::file || key->origin == Origin::command_line) return;
+  settings.prefer(name, value);
+}
+
+void declare_resolution(Settings& settings, int n, std::string doc) {
+  settings.declare({.name = "scene.n", .value = std::int64_t{n}, .doc = std::move(doc), .choices = {}, .min = 2,
+                    .max = 100000});
+}
+
+void declare_arrangement(Settings& settings, const std::string& standard) {
+  settings.declare({.name = "scene.lattice", .value = standard, .doc = "how the particles are laid out",
+                    .choices = {"cubic", "glass"}});
+}
+
+void declare_dimension(Settings& settings, int standard, int min) {
+  settings.declare({.name = "scene.dimension", .value = std::int64_t{standard}, .doc = "number of dimensions",
+                    .choices = {}, .min = double(min), .max = 3});
+}
+
+double usual_neighbours(int dimension) { return dimension == 1 ? 5 : dimension == 2 ? 20 : 48; }
+
+int scene_n(const Settings& settings) { return static_cast<int>(settings.integer("scene.n")); }
+
+int scene_dimension(const Settings& settings) { return static_cast<int>(settings.integer("scene.dimension")); }
+
+}  // namespace sphk

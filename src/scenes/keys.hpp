@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "src/engine/settings.hpp"
+
+namespace sphk {
+
+/// Changes the default of an engine key, where there is such a key and neither a file nor the command line set it.
+void prefer_unless_set(Settings& settings, std::string_view name, const Value& value);
+
+/// scene.n: particles per unit length of the (denser) gas.
+void declare_resolution(Settings& settings, int n, std::string doc = "particles per unit length");
+/// scene.lattice: cubic | glass.
+void declare_arrangement(Settings& settings, const std::string& standard);
+/// scene.dimension: `min` to 3.
+void declare_dimension(Settings& settings, int standard, int min = 1);
+
+/// N_n for a support of about 2.3 to 2.5 mean spacings: 48 in 3D, 20 in 2D, 5 in 1D.
+double usual_neighbours(int dimension);
+
+int scene_n(const Settings& settings);
+int scene_dimension(const Settings& settings);
+
+}  // namespace sphk

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/scenes/scene.hpp"
+
+namespace sphk {
+
+/// The coordinate along which a scene is one-dimensional, and where its norms are taken.
+struct ProfileLine {
+  /// x, cylindrical R or spherical r of a place.
+  std::function<double(const Array3& x)> coordinate;
+  /// Unit vector of the velocity component that is compared.
+  std::function<Array3(const Array3& x)> direction;
+  double from = 0, to = 1;  ///< range of the coordinate
+  double width = 0.01;      ///< of a bin
+};
+
+/// Distance from the origin.
+double radius(const Array3& x);
+
+/// Along x; the place of a coordinate s is (s, 0, 0) for all of them.
+ProfileLine along_x(double from, double to);
+/// Distance from the origin with the radial velocity.
+ProfileLine along_r(double to);
+/// Distance from the z axis with the azimuthal velocity.
+ProfileLine along_R(double to);
+
+/// Errors of v, rho and P by field name. The plain names compare the mean over the particles of every bin with the
+/// exact value at the bin's centre (S12 eq 44); bins without a particle are left out. "v_particles" and so on compare
+/// every particle with the exact value at its place. Empty when no particle lies in the range.
+std::map<std::string, ErrorNorm> profile_errors(const Snapshot& snapshot, const ProfileLine& line,
+                                                const std::function<GasState(const Array3&, double)>& exact);
+
+}  // namespace sphk

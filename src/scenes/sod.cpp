@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/engine/errors.hpp"
+#include "src/scenes/block.hpp"
+#include "src/scenes/keys.hpp"
+#include "src/scenes/norms.hpp"
+#include "src/scenes/riemann.hpp"
+#include "src/scenes/scenes.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// A shock tube and its particles: dense gas in [-1, 0), thin gas in [0, 1), periodic, so that a mirror image of the
+/// jump stands at x = +-1.
+struct Tube {
+  TubeState left, right;
+  Block left_block, right_block;
+};
+
+/// Counts of the thin side that keep the particle mass: spacings stretched alike on all axes, or along the tube only
+/// (in 1D, and V10's lattice, its sec 3.1).
+Counts thin_counts(const Counts& dense, int density_ratio, bool only_along) {
+  if (only_along) return {dense[0] / density_ratio, dense[1], dense[2]};
+  return {dense[0] / 2, dense[1] / 2, std::max(dense[2] / 2, 1)};  // 2^D = the ratio: 8 in 3D, 4 in 2D
+}
+
+Tube tube_of(const Settings& settings) {
+  const std::string& variant = settings.text("scene.variant");
+  const bool v10 = variant == "v10";
+  const int D = scene_dimension(settings), own_dimension = v10 ? 2 : 3;
+  if (D != 1 && D != own_dimension)
+    throw InputError(fmt::format("scene.dimension = {}: the tube \"{}\" is made for {} dimensions, or 1", D, variant,
+                                 own_dimension));
+  const int n = scene_n(settings), across = static_cast<int>(settings.integer("scene.across"));
+  const int ratio = v10 ? 4 : 8;
+  const bool only_along = D == 1 || (v10 && settings.text("scene.lattice") == "cubic");
+  const int step = only_along ? ratio : 2;
+  if (n % step != 0) throw InputError(fmt::format("scene.n = {}: this tube needs a multiple of {}", n, step));
+  if (across % 2 != 0) throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
+
+  Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}};
+  if (v10) tube.right = {0.25, 0, 1.0 / 6};  // u = 1 with gamma 5/3
+  tube.left_block = {D, even_counts(D, across), {-1, 0, 0}, {1, 1, 1}};
+  tube.left_block.counts[0] = n;
+  for (int axis = 1; axis < D; ++axis) tube.left_block.size[axis] = double(across) / n;
+  tube.right_block = tube.left_block;
+  tube.right_block.lower[0] = 0;
+  tube.right_block.counts = thin_counts(tube.left_block.counts, ratio, only_along);
+  return tube;
+}
+
+void add_block(ParticleSet& gas, const Block& block, const TubeState& state, const Settings& settings) {
+  const auto points = arranged_points(block, settings.text("scene.lattice"));
+  const double volume = block.size[0] * block.size[1] * block.size[2];
+  gas.x.insert(gas.x.end(), points.begin(), points.end());
+  gas.v.resize(gas.x.size(), {state.v, 0, 0});
+  gas.m.resize(gas.x.size(), state.rho * volume / double(points.size()));
+  gas.u.resize(gas.x.size(), state.P / ((settings.real("sph.gamma") - 1) * state.rho));
+}
+
+class Sod : public Scene {
+ public:
+  std::string name() const override { return "sod"; }
+  std::string summary() const override { return "shock tube of S12, R10 or V10 against the exact solution"; }
+
+  void declare(Settings& settings) const override {
+    settings.declare({.name = "scene.variant", .value = std::string("s12"),
+                      .doc = "states: s12 (gamma 5/3), r10 (gamma 1.4), v10 (2D, density ratio 4)",
+                      .choices = {"s12", "r10", "v10"}});
+    declare_resolution(settings, 64, "dense particles per unit length (S12's N1D is 3/4 of it)");
+    settings.declare({.name = "scene.across", .value = std::int64_t{32}, .doc = "dense particles across the tube",
+                      .choices = {}, .min = 2, .max = 10000});
+    declare_dimension(settings, 3);
+    declare_arrangement(settings, "glass");
+    prefer_unless_set(settings, "time.end", 0.2);
+    adapt(settings);
+  }
+  void adapt(Settings& settings) const override {
+    const std::string& variant = settings.text("scene.variant");
+    prefer_unless_set(settings, "scene.dimension", std::int64_t{variant == "v10" ? 2 : 3});
+    prefer_unless_set(settings, "sph.gamma", variant == "r10" ? 1.4 : 5.0 / 3);
+    const int D = scene_dimension(settings);
+    prefer_unless_set(settings, "sph.neighbours", D == 2 ? 32 : usual_neighbours(D));  // V10 sec 3.1 has 32
+  }
+
+  ParticleSet build(const Settings& settings) const override {
+    const Tube tube = tube_of(settings);
+    ParticleSet gas;
+    gas.dimension = tube.left_block.dimension;
+    gas.box.lower[0] = -1;
+    gas.box.size = tube.left_block.size;
+    gas.box.size[0] = 2;
+    for (int axis = 0; axis < gas.dimension; ++axis) gas.box.periodic[axis] = true;
+    add_block(gas, tube.left_block, tube.left, settings);
+    add_block(gas, tube.right_block, tube.right, settings);
+    return gas;
+  }
+
+  /// Valid until the waves of the jump and of its mirror image meet, about t = 0.27.
+  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+    const Tube tube = tube_of(settings);
+    const RiemannSolution solution(tube.left, tube.right, settings.real("sph.gamma"));
+    return [tube, solution](const Array3& x, double t) -> GasState {
+      const bool mirrored = std::abs(x[0]) > 0.5;
+      const double distance = mirrored ? std::copysign(1, x[0]) - x[0] : x[0];
+      const TubeState state = t > 0 ? solution.at(distance / t) : distance < 0 ? tube.left : tube.right;
+      return {state.rho, {mirrored ? -state.v : state.v, 0, 0}, state.P};
+    };
+  }
+  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+    return profile_errors(snapshot, along_x(-0.5, 0.5), exact(settings));
+  }
+  PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = -0.5, .to = 0.5}; }
+};
+
+}  // namespace
+
+const Scene& sod_scene() {
+  static const Sod scene;
+  return scene;
+}
+
+}  // namespace sphk
