@@ -11,8 +11,8 @@ namespace sphk {
 
 namespace {
 constexpr double pi = 3.14159265358979323846;
-constexpr double log_step = 5e-4;
-constexpr int steps = 16000;  // down to lambda = exp(-8) = 3.4e-4
+constexpr double log_step = 2.5e-4;
+constexpr int steps = 32000;  // down to lambda = exp(-8) = 3.4e-4
 }  // namespace
 
 SedovSolution::SedovSolution(int dimension, double gamma) : dimension_(dimension), gamma_(gamma) {
@@ -21,7 +21,8 @@ SedovSolution::SedovSolution(int dimension, double gamma) : dimension_(dimension
   integrate();
   const double sphere = dimension == 1 ? 2 : dimension == 2 ? 2 * pi : 4 * pi;
   const double delta = 2.0 / (dimension + 2);  // R ~ t^delta
-  alpha_ = sphere * delta * delta * table_.back().energy;
+  const double innermost = std::exp(-steps * log_step), rest = std::pow(innermost, dimension) / dimension;
+  alpha_ = sphere * delta * delta * (table_.back().energy + table_.back().Pi / (gamma - 1) * rest);
 }
 
 /// d/d(ln lambda) of the profiles. From the equations of continuity, motion and entropy with the form above, where R

@@ -41,7 +41,7 @@ Tube tube_of(const Settings& settings) {
   if (n % step != 0) throw InputError(fmt::format("scene.n = {}: this tube needs a multiple of {}", n, step));
   if (across % 2 != 0) throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
 
-  Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}};
+  Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}, .left_block = {}, .right_block = {}};
   if (v10) tube.right = {0.25, 0, 1.0 / 6};  // u = 1 with gamma 5/3
   tube.left_block = {D, even_counts(D, across), {-1, 0, 0}, {1, 1, 1}};
   tube.left_block.counts[0] = n;

@@ -22,8 +22,8 @@ struct Norms {
   double one, two, three;
 };
 
-// R10 and V10 print six decimals or fewer; the others are the closed forms of the literature (Dehnen & Aly 2012, table 1,
-// scaled to the support radius; Johnson in V10 sec 3).
+// R10 and V10 print six decimals or fewer; the others are closed forms (Dehnen & Aly 2012, table 1, scaled to the
+// support radius; Johnson in V10 sec 3).
 TEST(Norm, EqualsThePrintedOnes) {
   const Norms printed[] = {
       {"cs", 4.0 / 3, 1.818914, 2.546479},

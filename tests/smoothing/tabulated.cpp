@@ -17,7 +17,7 @@ struct TabulatedKernel : testing::Test {
 TYPED_TEST_SUITE(TabulatedKernel, AllKernels);
 
 // The slope of HOCT8 has a kink of 508 in its second derivative at kappa, and a cubic through four points of an
-// interval of length d misses such a kink by less than 508 d^2 / 24 = 3e-7 there, less than 1e-7 of its steepest slope, 3.9.
+// interval of length d misses such a kink by less than 508 d^2 / 24 = 3e-7 there, 1e-7 of its steepest slope, 3.9.
 TYPED_TEST(TabulatedKernel, FollowsTheKernel) {
   double steepest = 0;
   for (double q = 0; q < 1; q += 0.01) steepest = std::max(steepest, -this->kernel(q).dw);
