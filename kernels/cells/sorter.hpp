@@ -82,13 +82,16 @@ struct OrderBlock {
   }
 };
 
-template <class Rows>
 struct PermuteRows {
-  Rows from, to;
+  Numbers from, to;
+  int rows, stride;
   RadixSort::Indices indices;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     const int source = indices(i);
-    for (int row = 0; row < static_cast<int>(from.extent(0)); ++row) to(row, i) = from(row, source);
+    for (int row = 0; row < rows; ++row) {
+      const std::size_t start = static_cast<std::size_t>(row) * stride;
+      to(start + i) = from(start + source);
+    }
   }
 };
 
@@ -127,9 +130,8 @@ class Sorter {
                          Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
                              0, (n + block_size - 1) / block_size, Kokkos::ChunkSize(1)),
                          detail::OrderBlock<D, C>{columns, sort_.indices, n});
-    using Rows = decltype(columns.data);
     Kokkos::parallel_for("sort: permute", particles,
-                         detail::PermuteRows<Rows>{columns.data, other_.data, sort_.indices});
+                         detail::PermuteRows{columns.data, other_.data, C::size, columns.stride, sort_.indices});
     Kokkos::parallel_for("sort: permute ids", particles, detail::PermuteVector<Ids>{ids, other_ids_, sort_.indices});
     std::swap(columns.data, other_.data);
     std::swap(ids, other_ids_);

@@ -13,15 +13,20 @@ using MemorySpace = ExecutionSpace::memory_space;
 /// Particles of a sub-cell, the unit in which columns are padded.
 inline constexpr int sub_cell_size = 8;
 
+/// One number type of view for all columns keeps the compile time of copies down.
+using Numbers = Kokkos::View<double*, MemorySpace>;
+using HostNumbers = Kokkos::View<double*, Kokkos::HostSpace>;
+
 /// Particle state as structure of arrays: one row of doubles per component, padded so that any sub-cell can be read whole.
 template <int D, class FieldList>
 struct Columns {
   using Fields = FieldList;
   static constexpr int size = component_count<D, Fields>;
-  Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace> data;  ///< [component][particle]
+  Numbers data;    ///< component c of particle i is data(c * stride + i)
+  int stride = 0;
 
   Columns() = default;
-  Columns(const std::string& label, int n) : data(label, size, padded(n)) {}
+  Columns(const std::string& label, int n) : data(label, static_cast<std::size_t>(size) * padded(n)), stride(padded(n)) {}
 
   /// An odd number of cache lines, so that rows do not share cache sets.
   static int padded(int n) { return ((n / sub_cell_size + 1) | 1) * sub_cell_size; }
@@ -29,7 +34,7 @@ struct Columns {
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double* row(int component = 0) const {
     static_assert(contains<F, Fields>, "this scheme has no such field: add it to what a pass or term reads or adds");
-    return &data(component_offset<D, F, Fields> + component, 0);
+    return data.data() + static_cast<std::size_t>(component_offset<D, F, Fields> + component) * stride;
   }
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {

@@ -11,12 +11,12 @@ KOKKOS_INLINE_FUNCTION double positive_sum(double s, double ds) {
   return ds >= -0.5 * s ? s + ds : 0.5 * s * Kokkos::exp(2 * ds / s + 1);
 }
 
-template <class S>
+template <class L>
 struct KickAndDrift {
-  State<S> state;
+  Particles<L> state;
   double dt;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = S::dimension;
+    constexpr int D = L::dimension;
     for (int d = 0; d < D; ++d) {
       const double half_kick = 0.5 * dt * state.template at<Acceleration>(i, d);
       const double v_half = state.template at<Velocity>(i, d) + half_kick;
@@ -28,23 +28,23 @@ struct KickAndDrift {
     const double s_half = positive_sum(state.template at<Thermal>(i), half_kick);
     state.template at<HalfStepThermal>(i) = s_half;
     state.template at<Thermal>(i) = positive_sum(s_half, half_kick);
-    if constexpr (contains<VelocityDivergence, typename S::Fields>) {
+    if constexpr (contains<VelocityDivergence, typename L::Fields>) {
       const double growth = dt * state.template at<VelocityDivergence>(i) / D;
       state.template at<Support>(i) *= Kokkos::exp(min(max(growth, -0.2), 0.2));
     }
   }
 };
 
-template <class S>
+template <class L>
 struct ClosingKick {
-  State<S> state;
+  Particles<L> state;
   double dt;
   KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
-    constexpr int D = S::dimension;
+    constexpr int D = L::dimension;
     for (int d = 0; d < D; ++d)
       state.template at<Velocity>(i, d) =
           state.template at<HalfStepVelocity>(i, d) + 0.5 * dt * state.template at<Acceleration>(i, d);
-    const double ds = S::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
+    const double ds = L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
                                            state.parameters.gamma);
     state.template at<ThermalRate>(i) = ds;
     state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
@@ -62,7 +62,7 @@ struct KickDrift {
   template <class S>
   static void run(Run<S>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::KickAndDrift<S>{run.state, run.dt});
+                         detail::KickAndDrift<typename S::Layout>{run.state, run.dt});
   }
 };
 
@@ -75,7 +75,7 @@ struct KickTimeStep {
     run.limit = {};
     if (run.state.n == 0) return;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<S>{run.state, run.dt}, Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<typename S::Layout>{run.state, run.dt}, Kokkos::Sum<StepLimit>(run.limit));
   }
 };
 

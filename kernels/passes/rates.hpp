@@ -14,7 +14,7 @@ struct PairRates {
   using T = typename S::PairNumber;
   using Reads = Union<List<Position, InverseSupport>, typename Terms::Reads>;
   using Adds = typename Terms::Adds;
-  using Columns = typename State<S>::Columns;
+  using Columns = typename Particles<typename S::Layout>::Columns;
   using Cell = TiledCell<T, D, Reads, Reach::symmetric, Columns>;
   using Sums = Values<double, D, Adds>;
   using Policy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;

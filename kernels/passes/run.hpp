@@ -19,7 +19,7 @@ template <class S>
 struct Run {
   explicit Run(State<S> loaded) : state(std::move(loaded)) {}
   State<S> state;
-  Sorter<S::dimension, typename State<S>::Columns> sorter;
+  Sorter<S::dimension, typename Particles<typename S::Layout>::Columns> sorter;
   double time = 0;
   double dt = 0;             ///< of the step in progress
   long step = 0;

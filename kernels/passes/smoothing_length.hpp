@@ -42,7 +42,7 @@ struct FindSupport {
   using Terms = typename S::DensityTerms;
   using Reads = Union<List<Position>, typename Terms::Reads>;
   using Adds = typename Terms::Adds;
-  using Columns = typename State<S>::Columns;
+  using Columns = typename Particles<typename S::Layout>::Columns;
   using Cell = TiledCell<T, D, Reads, Reach::gather, Columns>;
   using Sums = Values<double, D, Adds>;
   using Result = SupportSearch::Result;

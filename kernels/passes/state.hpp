@@ -11,24 +11,36 @@ namespace sphk {
 inline constexpr bool tiles_pay =
     Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
 
-/// What every pass sees of a run: the particles of scheme S, sorted, with their cells. Copied into functors by value.
-template <class S>
-struct State {
-  static constexpr int dimension = S::dimension;
-  using Columns = sphk::Columns<dimension, typename S::Fields>;
-  using PairNumber = typename S::PairNumber;
+/// What the particles of a scheme are: dimension, fields, thermal variable. Schemes that differ only in smoothing kernel or
+/// pair arithmetic share a layout, and all code that knows no more of them.
+template <int D, class FieldList, class Form>
+struct Layout {
+  static constexpr int dimension = D;
+  using Fields = FieldList;
+  using ThermalForm = Form;
+};
+
+/// The particles of a run, sorted, with their cells. Copied into functors by value.
+template <class L>
+struct Particles {
+  using Columns = sphk::Columns<L::dimension, typename L::Fields>;
 
   int n = 0;
   Columns columns;
   Ids ids;
-  CellTree<dimension> tree;
-  Smoothing<typename S::Kernel, dimension> smoothing;
+  CellTree<L::dimension> tree;
   Parameters parameters;
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {
     return columns.template at<F>(i, component);
   }
+};
+
+/// Particles and the smoothing kernel that pair loops need.
+template <class S>
+struct State : Particles<typename S::Layout> {
+  Smoothing<typename S::Kernel, S::dimension> smoothing;
 };
 
 }  // namespace sphk

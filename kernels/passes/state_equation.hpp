@@ -34,21 +34,21 @@ struct EnergyForm {
 
 namespace detail {
 
-template <class S>
+template <class L>
 struct EvaluateState {
-  State<S> state;
+  Particles<L> state;
 
   template <class F>
   KOKKOS_INLINE_FUNCTION void set(int i, double value) const {
-    if constexpr (contains<F, typename S::Fields>) state.template at<F>(i) = value;
+    if constexpr (contains<F, typename L::Fields>) state.template at<F>(i) = value;
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = S::dimension;
-    using Fields = typename S::Fields;
+    constexpr int D = L::dimension;
+    using Fields = typename L::Fields;
     const double rho = state.template at<Density>(i), h = state.template at<Support>(i);
     const double gamma = state.parameters.gamma;
-    const double P = S::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
+    const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
     const double c = Kokkos::sqrt(gamma * P / rho);
     set<Pressure>(i, P);
     set<PressureOverDensity2>(i, P / (rho * rho));
@@ -81,7 +81,7 @@ struct StateEquation {
   template <class S>
   static void run(Run<S>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateState<S>{run.state});
+                         detail::EvaluateState<typename S::Layout>{run.state});
   }
 };
 

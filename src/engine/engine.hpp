@@ -17,6 +17,7 @@ template <class S>
 class Engine final : public Simulation {
  public:
   static constexpr int D = S::dimension;
+  using Layout = typename S::Layout;
   static constexpr int count_interval = 50;  ///< steps between two counts of true neighbours
 
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
@@ -25,10 +26,10 @@ class Engine final : public Simulation {
         steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 1e-2 : 1e-3),
         max_dt_(settings.max_dt) {
     pass_steps(typename S::Steps{});
-    require_finite(run_);
+    require_finite(run_.limit, run_.time, run_.step);
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
-    count_neighbours(run_.state, report_);
+    count_neighbours<Layout>(run_.state, report_);
   }
 
   StepReport step(double t_end) override {
@@ -37,12 +38,12 @@ class Engine final : public Simulation {
     ++run_.step;
     pass_steps(typename S::Steps{});
     run_.time = t_end - run_.time <= run_.dt * (1 + 1e-12) ? t_end : run_.time + run_.dt;
-    require_finite(run_);
+    require_finite(run_.limit, run_.time, run_.step);
     report_.step = run_.step;
     report_.time = run_.time;
     report_.dt = run_.dt;
     report_.updates = run_.state.n;
-    if (run_.step % count_interval == 0) count_neighbours(run_.state, report_);
+    if (run_.step % count_interval == 0) count_neighbours<Layout>(run_.state, report_);
     costs_.updates += run_.state.n;
     costs_.pair_interactions += report_.mean_neighbours * run_.state.n;
     searches_ += run_.searches;
@@ -52,7 +53,7 @@ class Engine final : public Simulation {
   double time() const override { return run_.time; }
   std::size_t size() const override { return static_cast<std::size_t>(run_.state.n); }
   StepReport last_step() const override { return report_; }
-  Totals totals() const override { return sphk::totals(run_.state); }
+  Totals totals() const override { return sphk::totals<Layout>(run_.state); }
 
   Costs costs() const override {
     Costs costs = costs_;
@@ -63,14 +64,18 @@ class Engine final : public Simulation {
     return costs;
   }
 
-  Snapshot snapshot() const override { return take_snapshot(run_, origin_); }
+  Snapshot snapshot() const override { return take_snapshot<Layout>(run_.state, origin_, run_.time, run_.step); }
 
   std::vector<Field> rates(bool split) override {
-    run_.dt = 0;
-    run_.accept = 1e-7;
-    pass_steps(typename S::Steps{});
-    run_.accept = steps_accept_;
-    return take_rates(run_, split);
+    if constexpr (std::is_same_v<typename S::PairNumber, double>) {
+      run_.dt = 0;
+      run_.accept = 1e-7;
+      pass_steps(typename S::Steps{});
+      run_.accept = steps_accept_;
+      return take_rates(run_.state, split);
+    } else {
+      throw std::logic_error("rates are computed in double: make the simulation with precision \"double\"");
+    }
   }
 
   std::vector<std::string> warnings() const override { return support_warnings(searches_); }
@@ -101,9 +106,8 @@ class Engine final : public Simulation {
     const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(run_.state.ids, std::pair(i, i + 1)));
     report_.limiting_id = one(0);
     for (int d = 0; d < D; ++d) {
-      const auto x = Kokkos::create_mirror_view_and_copy(
-          Kokkos::HostSpace{}, Kokkos::subview(run_.state.columns.data, component_offset<D, Position, typename S::Fields> + d, std::pair(i, i + 1)));
-      report_.limiting_x[d] = x(0);
+      const auto start = (component_offset<D, Position, typename S::Fields> + d) * static_cast<std::size_t>(run_.state.columns.stride) + i;
+      report_.limiting_x[d] = detail::on_host(Kokkos::subview(run_.state.columns.data, std::pair(start, start + 1)))(0);
     }
   }
 

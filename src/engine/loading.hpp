@@ -11,11 +11,11 @@ namespace sphk {
 namespace detail {
 
 /// A first support radius from the volume of each particle's cell: the searches start near their ends.
-template <class S>
+template <class L>
 struct GuessSupport {
-  State<S> state;
+  Particles<L> state;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = S::dimension;
+    constexpr int D = L::dimension;
     if (state.template at<Support>(i) > 0) return;
     const int cell = i / cell_size;
     const Bounds<D>& b = state.tree.node(1, cell);
@@ -30,23 +30,23 @@ struct GuessSupport {
 };
 
 /// Turns the loaded specific energies into the scheme's thermal variable, with the standard density.
-template <class S>
+template <class L>
 struct ThermalFromEnergy {
-  State<S> state;
+  Particles<L> state;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     double& s = state.template at<Thermal>(i);
-    s = S::ThermalForm::from_energy(s, state.template at<Density>(i), state.parameters.gamma);
+    s = L::ThermalForm::from_energy(s, state.template at<Density>(i), state.parameters.gamma);
   }
 };
 
-template <class S>
-void copy_to_columns(const State<S>& state, const ParticleSet& particles) {
-  constexpr int D = S::dimension;
+template <class L>
+void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
+  constexpr int D = L::dimension;
   auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
   auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
-  using C = typename State<S>::Columns;
+  using C = typename Particles<L>::Columns;
   const auto row = [&]<class F>(F, int component) {
-    return &host(component_offset<D, F, typename C::Fields> + component, 0);
+    return host.data() + (component_offset<D, F, typename C::Fields> + component) * static_cast<std::size_t>(state.columns.stride);
   };
   for (int i = 0; i < state.n; ++i) {
     for (int d = 0; d < D; ++d) {
@@ -93,18 +93,18 @@ Run<S> load(const ParticleSet& particles, const SimulationSettings& settings, co
                               .alpha = settings.viscosity_alpha,
                               .beta = settings.viscosity_beta,
                               .h_max = support_cap(particles, settings)};
-  using Columns = typename State<S>::Columns;
-  Run<S> run{State<S>{n, Columns("particles", n), Ids("ids", n), CellTree<D>(n, domain),
-                      Smoothing<typename S::Kernel, D>(kernel), parameters}};
+  using Columns = typename Particles<typename S::Layout>::Columns;
+  Run<S> run{State<S>{{n, Columns("particles", n), Ids("ids", n), CellTree<D>(n, domain), parameters},
+                      Smoothing<typename S::Kernel, D>(kernel)}};
   run.sorter = Sorter<D, Columns>(n);
   run.time = particles.time;
   run.accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
-  detail::copy_to_columns(run.state, particles);
+  detail::copy_to_columns<typename S::Layout>(run.state, particles);
   SortedCells::run(run);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
-  Kokkos::parallel_for("guess support", all, detail::GuessSupport<S>{run.state});
+  Kokkos::parallel_for("guess support", all, detail::GuessSupport<typename S::Layout>{run.state});
   SmoothingLength::run(run);
-  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<S>{run.state});
+  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<typename S::Layout>{run.state});
   return run;
 }
 

@@ -18,7 +18,7 @@ namespace sphk {
 /// Bytes of device memory per particle: the columns twice (the sort needs a second copy), ids, sort keys and cells.
 template <class S>
 inline constexpr double bytes_per_particle =
-    2.0 * sizeof(double) * State<S>::Columns::size + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
+    2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
 
 /// Flops of one pair in a step: terms, distances and smoothing kernels of the density loop and of the rates loop.
 template <class S>
@@ -29,18 +29,25 @@ constexpr double flops_per_pair() {
 
 namespace detail {
 
-/// Columns on the host, with the order of ids.
-template <class S>
-struct HostColumns {
-  static constexpr int D = S::dimension;
-  using Fields = typename S::Fields;
-  std::vector<int> order;
-  decltype(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, typename State<S>::Columns{}.data)) data;
-  decltype(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Ids{})) ids;
+inline HostNumbers on_host(const Numbers& numbers) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, numbers);
+}
 
-  explicit HostColumns(const State<S>& state)
+/// Columns on the host, with the order of ids.
+template <class L>
+struct HostColumns {
+  static constexpr int D = L::dimension;
+  using Fields = typename L::Fields;
+  using Columns = typename Particles<L>::Columns;
+  std::vector<int> order;
+  HostNumbers data;
+  std::size_t stride;
+  Ids::HostMirror ids;
+
+  explicit HostColumns(const Particles<L>& state)
       : order(state.n),
-        data(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.columns.data)),
+        data(on_host(state.columns.data)),
+        stride(state.columns.stride),
         ids(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.ids)) {
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) { return ids(a) < ids(b); });
@@ -48,7 +55,7 @@ struct HostColumns {
   /// Component k of field F of the particle that is i-th by id.
   template <class F>
   double at(int i, int k = 0) const {
-    return data(component_offset<D, F, Fields> + k, order[i]);
+    return data((component_offset<D, F, Fields> + k) * stride + order[i]);
   }
   /// A field as output: vectors padded to three components, a 2D curl in its z component.
   template <class F>
@@ -66,8 +73,8 @@ struct HostColumns {
   }
 };
 
-template <class S, class F>
-Field scalar_field(const HostColumns<S>& host, std::string name, std::string description, UnitExponents units, F value) {
+template <class L, class F>
+Field scalar_field(const HostColumns<L>& host, std::string name, std::string description, UnitExponents units, F value) {
   Field out{std::move(name), std::move(description), units, 1, std::vector<double>(host.order.size())};
   for (std::size_t i = 0; i < host.order.size(); ++i) out.values[i] = value(static_cast<int>(i));
   return out;
@@ -76,23 +83,23 @@ Field scalar_field(const HostColumns<S>& host, std::string name, std::string des
 }  // namespace detail
 
 /// The state on the host, sorted by id, positions wrapped into the box.
-template <class S>
-Snapshot take_snapshot(const Run<S>& run, const Box& box) {
-  constexpr int D = S::dimension;
-  const detail::HostColumns<S> host(run.state);
-  const double gamma = run.state.parameters.gamma;
+template <class L>
+Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double time, long step) {
+  constexpr int D = L::dimension;
+  const detail::HostColumns<L> host(particles);
+  const double gamma = particles.parameters.gamma;
   const auto pressure = [&](int i) {
-    return S::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
+    return L::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
   };
   const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
-  Snapshot snapshot{.dimension = D, .box = box, .time = run.time, .step = run.step, .gamma = gamma, .id = {}, .fields = {}};
+  Snapshot snapshot{.dimension = D, .box = box, .time = time, .step = step, .gamma = gamma, .id = {}, .fields = {}};
   for (const int i : host.order) snapshot.id.push_back(host.ids(i));
   auto& fields = snapshot.fields;
   fields.push_back(host.template field<Position>("Coordinates", "Position", {1, 0, 0}));
   for (std::size_t i = 0; i < snapshot.id.size(); ++i)
     for (int d = 0; d < D; ++d) {
       double& x = fields[0].values[3 * i + d];
-      x = run.state.tree.domain.wrapped(x, d);
+      x = particles.tree.domain.wrapped(x, d);
     }
   fields.push_back(host.template field<Velocity>("Velocities", "Velocity", {1, 0, -1}));
   fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
@@ -106,21 +113,20 @@ Snapshot take_snapshot(const Run<S>& run, const Box& box) {
   fields.push_back(detail::scalar_field(host, "Entropies", "Entropy function A = P / rho^gamma", entropy, [&](int i) {
     return pressure(i) / std::pow(host.template at<Density>(i), gamma);
   }));
-  if constexpr (contains<VelocityDivergence, typename S::Fields>)
+  if constexpr (contains<VelocityDivergence, typename L::Fields>)
     fields.push_back(host.template field<VelocityDivergence>("VelocityDivergence", "div v", {0, 0, -1}));
-  if constexpr (contains<Balsara, typename S::Fields>)
+  if constexpr (contains<Balsara, typename L::Fields>)
     fields.push_back(host.template field<Balsara>("BalsaraFactors", "Balsara factor", {0, 0, 0}));
   return snapshot;
 }
 
 /// Throws NumericsError naming the pass and the particle when the next time-step is not a positive finite number.
-template <class S>
-void require_finite(const Run<S>& run) {
-  if (run.state.n == 0 || (run.limit.dt > 0 && run.limit.dt < 1e299)) return;
+inline void require_finite(const StepLimit& limit, double time, long step) {
+  if (limit.dt > 0 && limit.dt < 1e299) return;
   throw NumericsError(
       fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is {}: a velocity, an energy or a density is "
                   "not finite. Look at the last snapshot around that particle; a smaller time.courant may help.",
-                  run.step, run.time, run.limit.particle, run.limit.dt));
+                  step, time, limit.particle, limit.dt));
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {

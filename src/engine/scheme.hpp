@@ -30,8 +30,9 @@ struct Scheme {
   static_assert(is_subset<typename RateTerms::Reads, Known>,
                 "a term reads a field that no pass of this scheme computes: add the pass or the density sum that does");
 
-  using Fields = Union<Base, typename DensityTerms::Reads, typename DensityTerms::Adds, typename RateTerms::Reads,
-                       typename RateTerms::Adds>;
+  using Layout = sphk::Layout<D, Union<Base, typename DensityTerms::Reads, typename DensityTerms::Adds, typename RateTerms::Reads,
+                       typename RateTerms::Adds>, Form>;
+  using Fields = typename Layout::Fields;
 };
 
 }  // namespace sphk

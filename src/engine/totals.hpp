@@ -30,13 +30,13 @@ struct TotalsSum {
   }
 };
 
-template <class S>
+template <class L>
 struct SumTotals {
-  State<S> state;
+  Particles<L> state;
   KOKKOS_INLINE_FUNCTION void operator()(int i, TotalsSum& sum) const {
-    constexpr int D = S::dimension;
+    constexpr int D = L::dimension;
     const double gamma = state.parameters.gamma, m = state.template at<Mass>(i), rho = state.template at<Density>(i);
-    const double P = S::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
+    const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
     double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
     for (int d = 0; d < D; ++d) x[d] = state.template at<Position>(i, d), v[d] = state.template at<Velocity>(i, d);
     const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -68,11 +68,11 @@ namespace sphk {
 
 /// Conserved sums and extremes. Positions are those of the run: in a periodic box angular momentum is about its origin and
 /// jumps when a particle is wrapped.
-template <class S>
-Totals totals(const State<S>& state) {
+template <class L>
+Totals totals(const Particles<L>& state) {
   detail::TotalsSum sum;
   if (state.n > 0)
-    Kokkos::parallel_reduce("totals", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::SumTotals<S>{state},
+    Kokkos::parallel_reduce("totals", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::SumTotals<L>{state},
                             Kokkos::Sum<detail::TotalsSum>(sum));
   Totals totals;
   totals.mass = sum.mass;

@@ -22,12 +22,8 @@ struct SphEnergy : Scheme<D, K, T, EnergyForm, ClassicDensity,
 
 /// TSPH, R10 Table 2: phi = rho in the momentum equation.
 template <int D, class K, class T>
-struct TsphEntropy : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                            TermSet<PressureGradientTsph, ViscosityGingoldMonaghan, SignalVelocity>, ClassicStep> {};
-template <int D, class K, class T>
-struct TsphEnergy
-    : Scheme<D, K, T, EnergyForm, ClassicDensity,
-             TermSet<PressureGradientTsph, PressureWork, ViscosityGingoldMonaghan, SignalVelocity>, ClassicStep> {};
+struct Tsph : Scheme<D, K, T, EntropyForm, ClassicDensity,
+                     TermSet<PressureGradientTsph, ViscosityGingoldMonaghan, SignalVelocity>, ClassicStep> {};
 
 /// Classic SPH as in GADGET-2 (Springel 2005): entropy, grad-h, signal-velocity viscosity with the Balsara switch.
 template <int D, class K, class T>

@@ -24,8 +24,8 @@ using Instantiations = std::vector<Instantiation>;
 // One source file each.
 Instantiations sph_entropy_1d(), sph_entropy_2d(), sph_entropy_3d();
 Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
-Instantiations tsph_entropy_1d(), tsph_entropy_2d(), tsph_entropy_3d();
-Instantiations tsph_energy_1d(), tsph_energy_2d(), tsph_energy_3d();
+Instantiations tsph_1d(), tsph_2d(), tsph_3d();
+
 Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
 
 }  // namespace sphk

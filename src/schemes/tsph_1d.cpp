@@ -3,8 +3,8 @@
 
 namespace sphk {
 
-Instantiations tsph_entropy_1d() {
-  return instantiate<TsphEntropy, 1>("tsph", "entropy", List<>{});
+Instantiations tsph_1d() {
+  return instantiate<Tsph, 1>("tsph", "entropy", List<>{});
 }
 
 }  // namespace sphk

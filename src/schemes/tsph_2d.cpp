@@ -3,8 +3,8 @@
 
 namespace sphk {
 
-Instantiations tsph_energy_1d() {
-  return instantiate<TsphEnergy, 1>("tsph", "energy", List<>{});
+Instantiations tsph_2d() {
+  return instantiate<Tsph, 2>("tsph", "entropy", List<>{});
 }
 
 }  // namespace sphk

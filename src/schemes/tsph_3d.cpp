@@ -3,8 +3,8 @@
 
 namespace sphk {
 
-Instantiations tsph_energy_3d() {
-  return instantiate<TsphEnergy, 3>("tsph", "energy", List<>{});
+Instantiations tsph_3d() {
+  return instantiate<Tsph, 3>("tsph", "entropy", List<CoreTriangle, Hoct<4>>{});
 }
 
 }  // namespace sphk
