@@ -44,10 +44,12 @@ struct ClosingKick {
     for (int d = 0; d < D; ++d)
       state.template at<Velocity>(i, d) =
           state.template at<HalfStepVelocity>(i, d) + 0.5 * dt * state.template at<Acceleration>(i, d);
-    const double ds = L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
-                                           state.parameters.gamma);
-    state.template at<ThermalRate>(i) = ds;
-    state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
+    if constexpr (contains<Heating, typename L::Fields>) {
+      const double ds = L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
+                                             state.parameters.gamma);
+      state.template at<ThermalRate>(i) = ds;
+      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
+    }
     limit += {state.parameters.courant * state.template at<Support>(i) / state.template at<MaxSignalVelocity>(i), i};
   }
 };

@@ -27,5 +27,6 @@ Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
 Instantiations tsph_1d(), tsph_2d(), tsph_3d();
 
 Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
+Instantiations glass();
 
 }  // namespace sphk

@@ -19,7 +19,7 @@ const Instantiations& table() {
   static const Instantiations all = [] {
     Instantiations rows;
     for (const auto source : {sph_entropy_1d, sph_entropy_2d, sph_entropy_3d, sph_energy_1d, sph_energy_2d, sph_energy_3d,
-                              tsph_1d, tsph_2d, tsph_3d, gadget2_1d, gadget2_2d, gadget2_3d})
+                              tsph_1d, tsph_2d, tsph_3d, gadget2_1d, gadget2_2d, gadget2_3d, glass})
       for (Instantiation& row : source()) rows.push_back(std::move(row));
     return rows;
   }();

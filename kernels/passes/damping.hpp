@@ -1,0 +1,31 @@
+#pragma once
+
+#include "kernels/passes/run.hpp"
+
+namespace sphk {
+
+namespace detail {
+template <class L>
+struct DampVelocity {
+  Particles<L> state;
+  double dt;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    const double rate = state.template at<SoundSpeed>(i) / state.template at<Support>(i);
+    const double factor = Kokkos::exp(-rate * dt);
+    for (int d = 0; d < L::dimension; ++d) state.template at<Velocity>(i, d) *= factor;
+  }
+};
+}  // namespace detail
+
+/// Friction dv/dt = -(c/h) v: waves of the particle spacing die within a few of their periods, and the gas settles.
+struct Damping {
+  static constexpr const char* name = "damping";
+  using Writes = List<>;
+  template <class S>
+  static void run(Run<S>& run) {
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                         detail::DampVelocity<typename S::Layout>{run.state, run.dt});
+  }
+};
+
+}  // namespace sphk

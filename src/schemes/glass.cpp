@@ -1,0 +1,25 @@
+#include "kernels/passes/damping.hpp"
+#include "src/schemes/classic.hpp"
+#include "src/schemes/instantiate.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Isentropic gas with friction: it settles into a glass, an even arrangement without a preferred direction.
+template <int D, class K, class T>
+struct Glass : Scheme<D, K, T, EntropyForm, TermSet<NumberDensitySum, DensitySum>,
+                      TermSet<PressureGradientConservative, SignalVelocity>,
+                      Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, Rates, KickTimeStep, Damping>> {};
+
+}  // namespace
+
+Instantiations glass() {
+  Instantiations rows;
+  detail::append<Glass, 1, float>(rows, "glass", "entropy", List<CubicSpline>{});
+  detail::append<Glass, 2, float>(rows, "glass", "entropy", List<CubicSpline>{});
+  detail::append<Glass, 3, float>(rows, "glass", "entropy", List<CubicSpline>{});
+  return rows;
+}
+
+}  // namespace sphk
