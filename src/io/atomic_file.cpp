@@ -15,42 +15,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void check_folder(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error))
-    throw InputError(fmt::format("there is no folder {0}; make it with: mkdir -p {0}", folder.string()));
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw InputError(fmt::format("the folder {} cannot be written ({}); choose another one", folder.string(),
-                                 std::strerror(errno)));
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
 }
 
-/// Forces `path` (a file, or a folder's entries) to the disk.
-void sync_to_disk(const fs::path& path, int flags) {
-  const int file = open(path.c_str(), flags | O_CLOEXEC);
-  const bool done = file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // EINVAL: this file system has no sync
+bool sync_to_disk(int file) { return fsync(file) == 0 || errno == EINVAL; }  // EINVAL: this file system cannot sync
+
+/// Each of the steps; false with errno set at the first that fails.
+bool replace(const fs::path& path, const fs::path& temporary, std::string_view bytes) {
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return false;
+  const bool written = write_all(file, bytes) && sync_to_disk(file);
   const int reason = errno;
-  if (file >= 0) close(file);
-  if (!done) throw InputError(fmt::format("{} cannot be saved to the disk ({})", path.string(), std::strerror(reason)));
+  const bool closed = close(file) == 0;  // network file systems report a full disk here
+  if (!written) errno = reason;
+  return written && closed && std::rename(temporary.c_str(), path.c_str()) == 0;
 }
 
 }  // namespace
 
-void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+void write_atomically(const fs::path& path, std::string_view bytes) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  check_folder(folder);
+  if (std::error_code error; !fs::is_directory(folder, error))
+    throw InputError(fmt::format("{0}: there is no folder {1}; make it with: mkdir -p {1}", path.string(), folder.string()));
   const fs::path temporary = folder / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
-  try {
-    write(temporary);
-    sync_to_disk(temporary, O_RDONLY);
-    fs::rename(temporary, path);
-    sync_to_disk(folder, O_RDONLY | O_DIRECTORY);
-  } catch (const fs::filesystem_error& error) {
-    fs::remove(temporary);
-    throw InputError(fmt::format("{} cannot be put in place ({})", path.string(), error.code().message()));
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
+  if (!replace(path, temporary, bytes)) {
+    const std::string reason = std::strerror(errno);
+    unlink(temporary.c_str());
+    throw InputError(fmt::format("{}: {:.1f} MB cannot be written ({}); make room or choose another folder",
+                                 path.string(), static_cast<double>(bytes.size()) / 1e6, reason));
+  }
+  if (const int entries = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entries >= 0) {
+    sync_to_disk(entries);  // the new name itself; the data are safe already
+    close(entries);
   }
 }
 

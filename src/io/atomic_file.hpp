@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <string_view>
 
 namespace sphk {
 
-/// Makes or replaces `path` in one go: `write` fills a temporary file in the same folder, which is then synced to the
-/// disk and renamed, so that a crash leaves the old file or none, never half of one. The temporary file is removed when
-/// anything fails. Throws InputError when the folder is missing or not writable; errors of `write` pass through.
-void write_atomically(const std::filesystem::path& path,
-                      const std::function<void(const std::filesystem::path& temporary)>& write);
+/// Makes or replaces the file `path` in one go: `bytes` go to a temporary file in the same folder, which is synced to the
+/// disk and renamed, so that a crash or a full disk leaves the old file or none, never half of one. Throws InputError
+/// when the folder is missing or cannot be written, or the disk is full.
+void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace sphk

@@ -102,10 +102,12 @@ std::vector<Finding> check_particles(const ParticleSet& p) {
   collect.rows(Severity::error, "with zero or negative mass", [&](std::size_t i) { return p.m[i] <= 0; });
   collect.rows(Severity::error, "with negative specific thermal energy", [&](std::size_t i) { return p.u[i] < 0; });
   if (!p.id.empty())
-    collect.repeats(Severity::error, "with the id of another one", sorted_rows(n, [&](std::size_t i) { return p.id[i]; }),
+    collect.repeats(Severity::error, "with the id of another one",
+                    sorted_rows(n, [&](std::size_t i) { return p.id[i]; }),
                     [&](std::size_t a, std::size_t b) { return p.id[a] == p.id[b]; });
   const std::vector<Array3> x = wrapped(p);
-  collect.repeats(Severity::notice, "at exactly the place of another one", sorted_rows(n, [&](std::size_t i) { return x[i]; }),
+  collect.repeats(Severity::notice, "at exactly the place of another one",
+                  sorted_rows(n, [&](std::size_t i) { return x[i]; }),
                   [&](std::size_t a, std::size_t b) { return finite(x[a]) && x[a] == x[b]; });
   collect.rows(Severity::notice, "outside the box",
                [&](std::size_t i) { return outside(p.box, p.dimension, p.x[i]); });
@@ -115,8 +117,8 @@ std::vector<Finding> check_particles(const ParticleSet& p) {
 std::string to_text(const Finding& finding) {
   std::string text = fmt::format("{} particle{} {}: ", finding.count, finding.count == 1 ? "" : "s", finding.problem);
   for (const auto& [index, id, x] : finding.examples)
-    text += fmt::format("{}row {} (id {}) at ({:.6g}, {:.6g}, {:.6g})", &index == &finding.examples[0].index ? "" : "; ",
-                        index, id, x[0], x[1], x[2]);
+    text += fmt::format("{}row {} (id {}) at ({:.6g}, {:.6g}, {:.6g})",
+                        &index == &finding.examples[0].index ? "" : "; ", index, id, x[0], x[1], x[2]);
   return finding.count > finding.examples.size() ? text + "; ..." : text;
 }
 

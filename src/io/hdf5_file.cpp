@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
 
 namespace sphk::hdf5 {
 
@@ -30,6 +32,17 @@ std::string hdf5_reason() {
   throw InputError(reason.empty() ? message : fmt::format("{} (HDF5: {})", message, reason));
 }
 
+/// A plain integer or real of 1 to 8 bytes in either byte order: HDF5 1.10 writes past its own stack when a damaged file
+/// makes it convert from a type with absurd bit fields.
+bool is_plain_number(hid_t type) {
+  for (const hid_t plain : {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE, H5T_STD_I16LE,
+                            H5T_STD_I32LE, H5T_STD_I64LE, H5T_STD_U8LE, H5T_STD_U16LE, H5T_STD_U32LE, H5T_STD_U64LE,
+                            H5T_STD_I8BE, H5T_STD_I16BE, H5T_STD_I32BE, H5T_STD_I64BE, H5T_STD_U8BE, H5T_STD_U16BE,
+                            H5T_STD_U32BE, H5T_STD_U64BE})
+    if (H5Tequal(type, plain) > 0) return true;
+  return false;
+}
+
 void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 std::string name_of(hid_t object, ssize_t (*get)(hid_t, char*, std::size_t)) {
@@ -51,15 +64,10 @@ Handle space(std::span<const hsize_t> shape) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
 }
 
-herr_t append_name(hid_t, const char* name, const void*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
-
 }  // namespace
 
 void Object::fail(const std::string& what) const {
-  const std::string reason = hdf5_reason();  // before where(), whose calls clear HDF5's error stack
+  const std::string reason = hdf5_reason();  // first: other calls clear HDF5's error stack
   refuse(reason, where() + ": " + what);
 }
 
@@ -75,23 +83,11 @@ std::uint64_t Object::address() const {
 
 bool Object::has_attribute(const std::string& name) const { return H5Aexists(id_.get(), name.c_str()) > 0; }
 
-std::vector<std::string> Object::attributes() const {
-  std::vector<std::string> names;
-  hsize_t position = 0;
-  const auto append = [](hid_t id, const char* name, const H5A_info_t* info, void* out) {
-    return append_name(id, name, info, out);
-  };
-  if (H5Aiterate2(id_.get(), H5_INDEX_NAME, H5_ITER_INC, &position, append, &names) < 0)
-    fail("its attributes cannot be listed");
-  return names;
-}
-
 std::vector<double> Object::numbers(const std::string& name) const {
   const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   if (attribute.get() < 0) fail(fmt::format("there is no attribute \"{}\"", name));
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  const H5T_class_t kind = H5Tget_class(type.get());
-  if (kind != H5T_INTEGER && kind != H5T_FLOAT) fail(fmt::format("the attribute \"{}\" is not a number", name));
+  if (!is_plain_number(type.get())) fail(fmt::format("the attribute \"{}\" is not a number", name));
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(extent.get());
   if (count < 0 || static_cast<std::size_t>(count) > max_attribute_size / sizeof(double))
@@ -144,14 +140,19 @@ void Object::set_numbers(const std::string& name, hid_t type, const void* values
     fail(fmt::format("the attribute \"{}\" cannot be written", name));
 }
 
-H5T_class_t Dataset::type_class() const {
+bool Dataset::is_number() const {
   const Handle type(H5Dget_type(id_.get()), H5Tclose);
-  return H5Tget_class(type.get());
+  return is_plain_number(type.get());
+}
+
+bool Dataset::is_integer() const {
+  const Handle type(H5Dget_type(id_.get()), H5Tclose);
+  return H5Tget_class(type.get()) == H5T_INTEGER;
 }
 
 bool Dataset::is_signed() const {
   const Handle type(H5Dget_type(id_.get()), H5Tclose);
-  return type_class() == H5T_FLOAT || H5Tget_sign(type.get()) == H5T_SGN_2;
+  return H5Tget_sign(type.get()) == H5T_SGN_2;
 }
 
 std::vector<hsize_t> Dataset::shape() const {
@@ -189,8 +190,9 @@ bool Group::has(const std::string& name) const { return H5Lexists(id_.get(), nam
 std::vector<std::string> Group::members() const {
   std::vector<std::string> names;
   hsize_t position = 0;
-  const auto append = [](hid_t id, const char* name, const H5L_info_t* info, void* out) {
-    return append_name(id, name, info, out);
+  const auto append = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
   };
   if (H5Literate(id_.get(), H5_INDEX_NAME, H5_ITER_INC, &position, append, &names) < 0)
     fail("its members cannot be listed");
@@ -243,12 +245,14 @@ void Group::link(const std::string& name, const std::string& path) {
     fail(fmt::format("\"{}\" cannot be made a link to \"{}\"", name, path));
 }
 
-File File::create(const std::filesystem::path& path) {
+File File::create() {
+  constexpr std::size_t increment = std::size_t{1} << 24;
+  static std::atomic<unsigned> made = 0;  // HDF5 refuses a second file of the same name
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fclose_degree(access.get(), H5F_CLOSE_SEMI);  // closing with open groups is an error, not a delay
-  Handle id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
-  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": the file cannot be made");
+  H5Pset_fapl_core(access.get(), increment, false);
+  Handle id(H5Fcreate(fmt::format("file {} in memory", ++made).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  if (id.get() < 0) refuse(hdf5_reason(), "no HDF5 file can be made in memory");
   return File(std::move(id));
 }
 
@@ -262,10 +266,13 @@ File File::open(const std::filesystem::path& path) {
   return File(std::move(id));
 }
 
-void File::close() {
-  const std::string name = name_of(id_.get(), H5Fget_name);
-  const bool flushed = H5Fflush(id_.get(), H5F_SCOPE_LOCAL) >= 0;
-  if (!id_.reset() || !flushed) refuse(hdf5_reason(), name + ": the file cannot be finished");
+void File::save(const std::filesystem::path& path) const {
+  void** image = nullptr;
+  if (H5Fflush(id_.get(), H5F_SCOPE_LOCAL) < 0) fail("it cannot be finished");
+  const ssize_t size = H5Fget_file_image(id_.get(), nullptr, 0);
+  if (size < 0 || H5Fget_vfd_handle(id_.get(), H5P_DEFAULT, reinterpret_cast<void**>(&image)) < 0)
+    fail("its image cannot be had");
+  write_atomically(path, {static_cast<const char*>(*image), static_cast<std::size_t>(size)});
 }
 
 }  // namespace sphk::hdf5

@@ -30,10 +30,9 @@ class Handle {
     std::swap(close_, other.close_);
     return *this;
   }
-  ~Handle() { reset(); }
-
-  /// Closes now; false when HDF5 could not, such as on a full disk.
-  bool reset() { return id_ < 0 || close_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
   hid_t get() const { return id_; }
 
  private:
@@ -54,9 +53,6 @@ hid_t native_type() {
 class Object {
  public:
   bool has_attribute(const std::string& name) const;
-  /// Names of all attributes, in alphabetical order.
-  std::vector<std::string> attributes() const;
-
   /// All numbers of an attribute, scalar or array, of any numeric type.
   std::vector<double> numbers(const std::string& name) const;
   /// A string attribute of fixed or variable length, without padding.
@@ -98,9 +94,9 @@ class Dataset : public Object {
   explicit Dataset(Handle id) : Object(std::move(id)) {}
 
   std::vector<hsize_t> shape() const;
-  bool is_integer() const { return type_class() == H5T_INTEGER; }
-  bool is_number() const { return is_integer() || type_class() == H5T_FLOAT; }
-  bool is_signed() const;
+  bool is_number() const;
+  bool is_integer() const;
+  bool is_signed() const;  ///< of an integer
 
   /// All values, row by row, converted to T. Fails when the file does not hold as many as the shape says.
   template <Number T>
@@ -111,7 +107,6 @@ class Dataset : public Object {
   }
 
  private:
-  H5T_class_t type_class() const;
   std::size_t checked_size() const;
   void read_into(hid_t type, void* values) const;
 };
@@ -146,13 +141,14 @@ class Group : public Object {
                         bool compressed);
 };
 
-/// An open file; its root group is the file itself.
+/// An open file; its root group is the file itself. A new file is made in memory and saved in one go: after a failed
+/// write to the disk HDF5 1.10 can neither close its file nor let the program end without a crash.
 class File : public Group {
  public:
-  static File create(const std::filesystem::path& path);
+  static File create();
   static File open(const std::filesystem::path& path);
-  /// Writes everything out; fails where the destructor would have to keep silent.
-  void close();
+  /// Writes the file to `path`, all or nothing; errors as for write_atomically.
+  void save(const std::filesystem::path& path) const;
 
  private:
   explicit File(Handle id) : Group(std::move(id)) {}

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -92,51 +90,36 @@ void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, bool compressed) {
     if (field.name != "Coordinates") point_data.link(field.name, fmt::format("/PartType0/{}", field.name));
 }
 
-/// Throws where a field's size does not fit; returns the bytes that the file needs at most.
-double checked_bytes(const Snapshot& snapshot) {
-  double bytes = 1 << 20;                               // metadata
-  bytes += static_cast<double>(snapshot.size()) * 33;   // ids, SWIFT's h, VTK's offsets, connectivity and types
-  for (const Field& field : snapshot.fields) {
+void check_sizes(const Snapshot& snapshot) {
+  for (const Field& field : snapshot.fields)
     if (field.values.size() != snapshot.size() * static_cast<std::size_t>(field.components))
       throw InputError(fmt::format("the field {} has {} values; {} particles of {} numbers each need {}", field.name,
                                    field.values.size(), snapshot.size(), field.components,
                                    snapshot.size() * static_cast<std::size_t>(field.components)));
-    bytes += 8.0 * static_cast<double>(field.values.size());
-  }
-  return bytes;
-}
-
-void check_disk(const std::filesystem::path& temporary, double bytes) {
-  std::error_code error;
-  const auto space = std::filesystem::space(temporary.parent_path(), error);
-  if (!error && static_cast<double>(space.available) < bytes)
-    throw InputError(fmt::format("the disk of {} has {:.0f} MB left and a snapshot needs {:.0f} MB; make room, write "
-                                 "elsewhere, or write fewer snapshots",
-                                 temporary.parent_path().string(), static_cast<double>(space.available) / 1e6,
-                                 bytes / 1e6));
 }
 
 }  // namespace
 
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
                     Compression compression) {
-  const double bytes = checked_bytes(snapshot);
   const bool compressed = compression == Compression::gzip;
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    if (!compressed) check_disk(temporary, bytes);
-    hdf5::File file = hdf5::File::create(temporary);
-    write_metadata(file, snapshot, info);
-    write_cells(file, snapshot);
-    write_gas(file.create_group("PartType0"), snapshot, info, compressed);
-    write_vtkhdf(file.create_group("VTKHDF"), snapshot, compressed);
-    file.close();
-  });
+  check_sizes(snapshot);
+  hdf5::File file = hdf5::File::create();
+  write_metadata(file, snapshot, info);
+  write_cells(file, snapshot);
+  write_gas(file.create_group("PartType0"), snapshot, info, compressed);
+  write_vtkhdf(file.create_group("VTKHDF"), snapshot, compressed);
+  file.save(path);
 }
 
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
                   double gamma, const SnapshotInfo& info) {
-  Snapshot snapshot{.dimension = particles.dimension, .box = particles.box, .time = particles.time, .gamma = gamma,
-                    .id = particles.id};
+  Snapshot snapshot;
+  snapshot.dimension = particles.dimension;
+  snapshot.box = particles.box;
+  snapshot.time = particles.time;
+  snapshot.gamma = gamma;
+  snapshot.id = particles.id;
   if (snapshot.id.empty()) {
     snapshot.id.resize(particles.size());
     std::iota(snapshot.id.begin(), snapshot.id.end(), std::uint64_t{1});
@@ -153,13 +136,7 @@ void write_series(const std::filesystem::path& folder, std::span<const SeriesEnt
   nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", nlohmann::ordered_json::array()}};
   for (const SeriesEntry& entry : entries)
     series["files"].push_back(nlohmann::ordered_json{{"name", entry.name}, {"time", entry.time}});
-  const std::filesystem::path path = folder / "run.hdf.series";
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    std::ofstream file(temporary);
-    file << series.dump(1) << '\n';
-    file.close();
-    if (!file) throw InputError(path.string() + " cannot be written; is the disk full?");
-  });
+  write_atomically(folder / "run.hdf.series", series.dump(1) + '\n');
 }
 
 }  // namespace sphk

@@ -24,9 +24,13 @@ Field field(const char* name, int components, UnitExponents units, std::size_t n
 }  // namespace
 
 Snapshot example_snapshot(int dimension, std::size_t n) {
-  Snapshot s{.dimension = dimension, .time = 1.0 / 3, .step = 17, .gamma = 1.4};
+  Snapshot s;
+  s.dimension = dimension;
+  s.time = 1.0 / 3;
+  s.step = 17;
+  s.gamma = 1.4;
   for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
-    s.box.lower[k] = -0.1 * static_cast<double>(k);
+    s.box.lower[k] = 0.2 - 0.1 * static_cast<double>(k);
     s.box.size[k] = 1.5;
     s.box.periodic[k] = true;
   }
@@ -51,13 +55,13 @@ SnapshotInfo example_info() {
   info.version = "0.1.0";
   info.git_revision = "none";
   info.scene_text = "scene = \"example\"\n";
-  info.settings.declare({.name = "sph.kernel", .value = std::string("cs")});
-  info.settings.declare({.name = "time.courant", .value = 0.4});
+  info.settings.declare({"sph.kernel", std::string("cs"), "", {}});
+  info.settings.declare({"time.courant", 0.4, "", {}});
   return info;
 }
 
-hdf5::File ExampleIc::write(const fs::path& path) const {
-  auto file = hdf5::File::create(path);
+hdf5::File ExampleIc::make() const {
+  auto file = hdf5::File::create();
   auto header = file.create_group("Header");
   header.set("BoxSize", 2.0);
   header.set("NumPart_ThisFile", std::vector<std::int32_t>{static_cast<std::int32_t>(n), 0, 0, 0, 0, 0});

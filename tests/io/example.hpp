@@ -17,11 +17,12 @@ namespace sphk {
 Snapshot example_snapshot(int dimension, std::size_t n);
 SnapshotInfo example_info();
 
-/// An initial condition of n gas particles as a plain script would write it: GADGET's names, Header and PartType0 only.
+/// An initial condition of n gas particles as a plain script would write it: GADGET's names, Header and PartType0 only. In memory:
+/// to be changed, then saved.
 struct ExampleIc {
   std::size_t n = 8;
   int columns = 3;
-  hdf5::File write(const std::filesystem::path& path) const;
+  hdf5::File make() const;
 };
 
 /// A folder that goes away with the test.

@@ -105,22 +105,31 @@ TEST_F(SnapshotWriter, FoldersThatCannotBeWrittenAreNamed) {
 }
 
 /// A limit on the size of files stands in for a full disk: write() fails half-way in both.
-TEST_F(SnapshotWriter, AFullDiskLeavesTheOldFileAndNothingElse) {
-  const Snapshot old = example_snapshot(3, 10), s = example_snapshot(3, 20000);
-  write_snapshot(file("snap.hdf5"), old, example_info());
+template <class F>
+void with_file_size_limit(rlim_t bytes, F call) {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit limit = before;
-  limit.rlim_cur = 100'000;
+  const rlimit limit{bytes, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &limit);
-  const std::string message = input_error([&] { write_snapshot(file("snap.hdf5"), s, example_info()); });
+  call();
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, old_handler);
+}
 
-  EXPECT_TRUE(mentions(message, {"snap.hdf5"}));
-  expect_equal(read_particles(file("snap.hdf5")).particles, old);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+TEST_F(SnapshotWriter, AFullDiskLeavesTheOldFileAndNothingElse) {
+  const Snapshot old = example_snapshot(3, 10), s = example_snapshot(3, 20000);
+  write_snapshot(file("snap.hdf5"), s, example_info());
+  const auto size = std::filesystem::file_size(file("snap.hdf5"));
+  write_snapshot(file("snap.hdf5"), old, example_info());
+  for (const rlim_t bytes : {rlim_t{100}, rlim_t{3000}, size / 100, size / 2, size - 20'000, size - 1}) {
+    with_file_size_limit(bytes, [&] {
+      const std::string message = input_error([&] { write_snapshot(file("snap.hdf5"), s, example_info()); });
+      EXPECT_TRUE(mentions(message, {"snap.hdf5", "File too large"}));
+    });
+    expect_equal(read_particles(file("snap.hdf5")).particles, old);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << bytes;
+  }
   write_snapshot(file("snap.hdf5"), s, example_info());
   expect_equal(read_particles(file("snap.hdf5")).particles, s);
 }

@@ -1,0 +1,121 @@
+#include "src/io/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A row of n healthy particles in the periodic unit box.
+ParticleSet healthy(std::size_t n) {
+  ParticleSet p;
+  p.box.periodic = {true, true, true};
+  for (std::size_t i = 0; i < n; ++i) {
+    p.x.push_back({(static_cast<double>(i) + 0.5) / static_cast<double>(n), 0.5, 0.5});
+    p.v.push_back({0, 0, 0});
+    p.m.push_back(1);
+    p.u.push_back(1);
+    p.id.push_back(100 + i);
+  }
+  return p;
+}
+
+/// The only finding of `p`; fails the test when there are none or several.
+Finding only_finding(const ParticleSet& p) {
+  const auto findings = check_particles(p);
+  EXPECT_EQ(findings.size(), 1);
+  return findings.empty() ? Finding{} : findings[0];
+}
+
+TEST(Check, HealthyParticlesHaveNoFindings) {
+  EXPECT_TRUE(check_particles(healthy(10)).empty());
+  EXPECT_TRUE(check_particles(ParticleSet{}).empty());
+}
+
+TEST(Check, NonFiniteValuesOfEveryColumn) {
+  const auto finds = [](auto spoil) {
+    ParticleSet p = healthy(5);
+    p.h.assign(5, 0.1);
+    spoil(p);
+    const Finding finding = only_finding(p);
+    return finding.severity == Finding::Severity::error && finding.count == 1 && finding.examples.at(0).index == 3;
+  };
+  EXPECT_TRUE(finds([](ParticleSet& p) { p.x[3][2] = nan; }));
+  EXPECT_TRUE(finds([](ParticleSet& p) { p.v[3][0] = -std::numeric_limits<double>::infinity(); }));
+  EXPECT_TRUE(finds([](ParticleSet& p) { p.m[3] = nan; }));
+  EXPECT_TRUE(finds([](ParticleSet& p) { p.u[3] = nan; }));
+  EXPECT_TRUE(finds([](ParticleSet& p) { p.h[3] = nan; }));
+}
+
+TEST(Check, MassesAndEnergies) {
+  ParticleSet p = healthy(6);
+  p.m[1] = 0;
+  p.m[4] = -1;
+  const Finding masses = only_finding(p);
+  EXPECT_EQ(masses.count, 2);
+  EXPECT_EQ(masses.examples[0].id, 101);
+  EXPECT_EQ(masses.examples[1].id, 104);
+  p = healthy(6);
+  p.u[2] = -1e-300;
+  p.u[3] = 0;  // cold gas is fine
+  EXPECT_EQ(only_finding(p).examples.at(0).index, 2);
+}
+
+TEST(Check, RepeatedIds) {
+  ParticleSet p = healthy(6);
+  p.id = {5, 9, 5, 7, 9, 5};
+  const Finding finding = only_finding(p);
+  EXPECT_EQ(finding.severity, Finding::Severity::error);
+  EXPECT_EQ(finding.count, 3);  // rows 2 and 5 repeat row 0, row 4 repeats row 1
+  EXPECT_EQ(finding.examples[0].index, 2);
+  p.id.clear();
+  EXPECT_TRUE(check_particles(p).empty());
+}
+
+TEST(Check, CoincidentParticlesAlsoThroughThePeriodicBoundary) {
+  ParticleSet p = healthy(6);
+  p.x[0] = {0, 0.25, 0};
+  p.x[5] = {1, 0.25, -0.0};
+  const Finding finding = only_finding(p);
+  EXPECT_EQ(finding.severity, Finding::Severity::notice);
+  EXPECT_EQ(finding.count, 1);
+  EXPECT_EQ(finding.examples[0].index, 5);
+  p.box.periodic[0] = false;
+  EXPECT_TRUE(check_particles(p).empty());
+}
+
+TEST(Check, ParticlesOutsideTheBoxInTheDimensionsThereAre) {
+  ParticleSet p = healthy(4);
+  p.x[2][1] = 1.25;
+  EXPECT_EQ(only_finding(p).examples.at(0).x, p.x[2]);
+  p.dimension = 1;
+  EXPECT_TRUE(check_particles(p).empty());
+}
+
+TEST(Check, OnlyAFewExamplesAreKept) {
+  ParticleSet p = healthy(50);
+  p.m.assign(50, -1.0);
+  const Finding finding = only_finding(p);
+  EXPECT_EQ(finding.count, 50);
+  EXPECT_EQ(finding.examples.size(), 3);
+}
+
+TEST(Check, TextSaysCountIndexIdAndPosition) {
+  ParticleSet p = healthy(4);
+  p.m[1] = 0;
+  EXPECT_EQ(to_text(only_finding(p)), "1 particle with zero or negative mass: row 1 (id 101) at (0.375, 0.5, 0.5)");
+}
+
+TEST(Check, ColumnsOfDifferentLengthsAreRefused) {
+  ParticleSet p = healthy(4);
+  p.u.pop_back();
+  EXPECT_THROW(check_particles(p), InputError);
+}
+
+}  // namespace
+}  // namespace sphk

@@ -1,0 +1,39 @@
+#include "src/io/info.hpp"
+
+#include <limits>
+
+#include "tests/io/example.hpp"
+
+namespace sphk {
+namespace {
+
+using Info = Scratch;
+
+TEST_F(Info, OwnSnapshot) {
+  Snapshot s = example_snapshot(2, 4);
+  s.fields[3].values = {1, 2, 6, std::numeric_limits<double>::infinity()};  // Densities: mean of the finite ones 3
+  write_snapshot(file("snap.hdf5"), s, example_info());
+  const std::string text = file_info(file("snap.hdf5"));
+  EXPECT_TRUE(mentions(text, {"snap.hdf5: sphk snapshot", "0.33333333", "step        17", "dimension   2",
+                              "[0.2, 1.7) periodic x [0.1, 1.6) periodic", "sph, kernel cs, 48 neighbours", "1.4",
+                              "4 particles (PartType0)", "Density", "another name of", "Coordinates.x"}));
+  EXPECT_TRUE(mentions(text, {"Densities                                1             3             6  (1 not finite)"}));
+}
+
+TEST_F(Info, InitialConditionWithOtherTypes) {
+  auto made = hdf5::File::create();
+  auto header = made.create_group("Header");
+  header.set("BoxSize", 2.0);
+  header.set("NumPart_ThisFile", std::vector<int>{0, 12, 0, 0, 3, 0, 5});
+  made.save(file("ic.hdf5"));
+  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"SWIFT and GADGET", "12 particles (PartType1)", "dark matter", "stars",
+                                                    "5 particles (PartType6)", "no run can start from it", "no gas"}));
+}
+
+TEST_F(Info, RemarksOfTheReaderAreShown) {
+  ExampleIc{}.make().save(file("ic.hdf5"));
+  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"note: there is no Units group"}));
+}
+
+}  // namespace
+}  // namespace sphk
