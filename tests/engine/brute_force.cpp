@@ -1,0 +1,170 @@
+#include "tests/engine/brute_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "kernels/smoothing/list.hpp"
+
+namespace sphk::test {
+
+namespace {
+
+double dot(const Array3& a, const Array3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Array3 difference(const Array3& a, const Array3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+void add(Array3& to, double factor, const Array3& a) {
+  for (int d = 0; d < 3; ++d) to[d] += factor * a[d];
+}
+
+double sphere_volume(int dimension, double h) {
+  return dimension == 1 ? 2 * h : dimension == 2 ? M_PI * h * h : 4 * M_PI / 3 * h * h * h;
+}
+
+}  // namespace
+
+BruteForce::BruteForce(const ParticleSet& particles, const SimulationSettings& settings)
+    : particles_(particles), settings_(settings) {
+  const std::size_t size = particles.size();
+  for (auto* field : {&h, &rho, &n, &dn_dh, &drho_dh, &P, &c, &balsara, &entropy_rate, &count, &div_v}) field->assign(size, 0);
+  for (auto* field : {&a, &curl_v, &E0}) field->assign(size, Array3{});
+  const int last = static_cast<int>(size);
+  for (int i = 0; i < last; ++i) h[i] = root_of_constraint(i);
+  for (int i = 0; i < last; ++i) gather_sums(i);
+  for (int i = 0; i < last; ++i) state_equation(i);
+  for (int i = 0; i < last; ++i) pair_sums(i);
+}
+
+BruteForce::Kernel BruteForce::kernel(double r, double h_of) const {
+  const int D = particles_.dimension;
+  return with_kernel(settings_.kernel, [&](const auto& k) {
+    const double q = r / h_of, norm = k.norm(D) / std::pow(h_of, D);
+    const auto shape = k(q), own = with_own_derivative(k, q);
+    return Kernel{norm * shape.w, norm / h_of * shape.dw, -norm / h_of * (D * own.w + q * own.dw)};
+  });
+}
+
+/// Every image of every particle nearer than `reach`.
+std::vector<BruteForce::Neighbour> BruteForce::images(int i, double reach) const {
+  const Box& box = particles_.box;
+  int most[3] = {0, 0, 0};
+  for (int d = 0; d < particles_.dimension; ++d)
+    if (box.periodic[d]) most[d] = static_cast<int>(std::ceil(reach / box.size[d])) + 1;
+  std::vector<Neighbour> found;
+  for (int j = 0; j < static_cast<int>(particles_.size()); ++j)
+    for (int a_image = -most[0]; a_image <= most[0]; ++a_image)
+      for (int b_image = -most[1]; b_image <= most[1]; ++b_image)
+        for (int c_image = -most[2]; c_image <= most[2]; ++c_image) {
+          Array3 r_ij = difference(particles_.x[i], particles_.x[j]);
+          r_ij[0] += a_image * box.size[0], r_ij[1] += b_image * box.size[1], r_ij[2] += c_image * box.size[2];
+          const double r = std::sqrt(dot(r_ij, r_ij));
+          if (r < reach) found.push_back({j, r_ij, r});
+        }
+  return found;
+}
+
+/// V h^D n(h) = N_n (S12 eq 11) by bisection to the last bit.
+double BruteForce::root_of_constraint(int i) const {
+  const auto excess = [&](double trial) {
+    double sum = 0;
+    for (const Neighbour& pair : images(i, trial)) sum += kernel(pair.r, trial).W;
+    return sphere_volume(particles_.dimension, trial) * sum - settings_.neighbours;
+  };
+  double low = 0, high = 1e-3;
+  while (excess(high) < 0) high *= 2;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) < 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+void BruteForce::gather_sums(int i) {
+  for (const Neighbour& pair : images(i, h[i])) {
+    const double m = particles_.m[pair.j];
+    const Kernel W = kernel(pair.r, h[i]);
+    n[i] += W.W, dn_dh[i] += W.dW_dh;
+    rho[i] += m * W.W, drho_dh[i] += m * W.dW_dh;
+    count[i] += 1;
+    if (pair.r == 0) continue;
+    const Array3 v_ij = difference(particles_.v[i], particles_.v[pair.j]);
+    Array3 grad{};
+    add(grad, W.dW_dr / pair.r, pair.r_ij);
+    div_v[i] -= m * dot(v_ij, grad);
+    add(curl_v[i], m, {v_ij[1] * grad[2] - v_ij[2] * grad[1], v_ij[2] * grad[0] - v_ij[0] * grad[2],
+                       v_ij[0] * grad[1] - v_ij[1] * grad[0]});
+  }
+  div_v[i] /= rho[i];
+  for (double& component : curl_v[i]) component /= rho[i];
+}
+
+void BruteForce::state_equation(int i) {
+  P[i] = (settings_.gamma - 1) * rho[i] * particles_.u[i];
+  c[i] = std::sqrt(settings_.gamma * P[i] / rho[i]);
+  const double div = std::abs(div_v[i]), curl = std::sqrt(dot(curl_v[i], curl_v[i]));
+  balsara[i] = div / (div + curl + 1e-4 * c[i] / h[i]);
+}
+
+void BruteForce::pair_sums(int i) {
+  const int D = particles_.dimension;
+  const double gamma = settings_.gamma, alpha = settings_.viscosity_alpha, beta = settings_.viscosity_beta;
+  const auto z = [&](int k) { return -h[k] / (D * n[k]) * drho_dh[k] / (1 + h[k] / (D * n[k]) * dn_dh[k]); };
+  double heating = 0;
+  const double widest = *std::max_element(h.begin(), h.end());
+  for (const Neighbour& pair : images(i, widest)) {
+    const int j = pair.j;
+    if (pair.r == 0 || pair.r >= std::max(h[i], h[j])) continue;
+    const double m = particles_.m[j], m_i = particles_.m[i];
+    const double dW_i = pair.r < h[i] ? kernel(pair.r, h[i]).dW_dr : 0, dW_j = pair.r < h[j] ? kernel(pair.r, h[j]).dW_dr : 0;
+    const double dW = 0.5 * (dW_i + dW_j);
+    Array3 e{};
+    add(e, 1 / pair.r, pair.r_ij);
+    const double w = dot(difference(particles_.v[i], particles_.v[j]), e);
+    const double P_i = P[i] / (rho[i] * rho[i]), P_j = P[j] / (rho[j] * rho[j]);
+    double Pi = 0;
+    if (settings_.scheme == "gadget2") {
+      add(a[i], -(P_i * (m + z(i)) * dW_i + m / m_i * P_j * (m_i + z(j)) * dW_j), e);
+      if (w < 0) Pi = -0.5 * alpha * (c[i] + c[j] - 3 * w) * w / (0.5 * (rho[i] + rho[j]));
+    } else {
+      const double pressure = settings_.scheme == "sph" ? P_i + P_j : (P[i] + P[j]) / (rho[i] * rho[j]);
+      add(a[i], -m * pressure * dW, e);
+      const double hs = 0.5 * (0.5 * (h[i] + h[j])), mu = hs * w * pair.r / (pair.r * pair.r + 0.01 * hs * hs);
+      if (w < 0) Pi = (-alpha * 0.5 * (c[i] + c[j]) * mu + beta * mu * mu) / (0.5 * (rho[i] + rho[j]));
+    }
+    Pi *= 0.5 * (balsara[i] + balsara[j]);
+    add(a[i], -m * Pi * dW, e);
+    heating += 0.5 * m * Pi * w * dW;
+    add(E0[i], 2 * m / rho[j] * h[i] * dW, e);
+  }
+  entropy_rate[i] = (gamma - 1) * std::pow(rho[i], 1 - gamma) * heating;
+}
+
+ParticleSet shaken_lattice(int dimension, Array3 counts, double jitter, bool periodic, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int d = dimension; d < 3; ++d) counts[d] = 1;
+  ParticleSet particles;
+  particles.dimension = dimension;
+  const double spacing = 1 / counts[0];
+  for (int d = 0; d < dimension; ++d) {
+    particles.box.lower[d] = -0.25;
+    particles.box.size[d] = counts[d] * spacing;
+    particles.box.periodic[d] = periodic;
+  }
+  for (int k = 0; k < counts[0] * counts[1] * counts[2]; ++k) {
+    const int index[3] = {k % int(counts[0]), k / int(counts[0]) % int(counts[1]), k / int(counts[0] * counts[1])};
+    Array3 x{}, v{};
+    for (int d = 0; d < dimension; ++d) {
+      x[d] = particles.box.lower[d] + (index[d] + 0.5 + jitter * unit(engine)) * spacing;
+      v[d] = unit(engine);
+    }
+    particles.x.push_back(x);
+    particles.v.push_back(v);
+    particles.m.push_back((1 + 0.3 * unit(engine)) * std::pow(spacing, dimension));
+    particles.u.push_back(1 + 0.5 * unit(engine));
+  }
+  return particles;
+}
+
+}  // namespace sphk::test

@@ -1,0 +1,83 @@
+// What every term owes to physics, on two particles: action and reaction, Galilean invariance, nothing from a uniform state
+// at rest, nothing from coincident particles, and the same lines in a SIMD pack.
+#include <cmath>
+
+#include "tests/terms/two_particles.hpp"
+
+namespace sphk::test {
+namespace {
+
+template <class Term>
+struct Symmetries : testing::Test {};
+using ForceTerms = testing::Types<PressureGradientSph, PressureGradientTsph, PressureGradientConservative,
+                                  ViscosityGingoldMonaghan, ViscositySignalVelocity>;
+TYPED_TEST_SUITE(Symmetries, ForceTerms);
+
+TYPED_TEST(Symmetries, action_is_minus_reaction) {
+  const TwoParticles<double, 3> p;
+  const auto on_i = share<TypeParam, double, 3>(p.i, p.j), on_j = share<TypeParam, double, 3>(p.j, p.i);
+  for (int d = 0; d < 3; ++d)
+    EXPECT_NEAR(p.i.m * on_i.a[d], -p.j.m * on_j.a[d], 1e-15 * std::abs(p.i.m * on_i.a[0])) << "component " << d;
+}
+
+TYPED_TEST(Symmetries, is_galilean_invariant) {
+  TwoParticles<double, 3> p;
+  const auto at_rest = share<TypeParam, double, 3>(p.i, p.j);
+  // A boost by a power of two leaves v_ij exact.
+  for (auto* particle : {&p.i, &p.j}) particle->v[0] += 64, particle->v[1] -= 32;
+  const auto boosted = share<TypeParam, double, 3>(p.i, p.j);
+  for (int d = 0; d < 3; ++d) EXPECT_EQ(at_rest.a[d], boosted.a[d]);
+}
+
+TYPED_TEST(Symmetries, leaves_coincident_particles_alone) {
+  TwoParticles<double, 3> p;
+  p.i.x = p.j.x;
+  const auto sum = share<TypeParam, double, 3>(p.i, p.j);
+  for (int d = 0; d < 3; ++d) EXPECT_EQ(sum.a[d], 0);
+}
+
+TYPED_TEST(Symmetries, is_the_same_in_every_lane_of_a_pack) {
+  using Pack = simd<float, native_lanes<float>>;
+  const TwoParticles<float, 3> one;
+  const TwoParticles<double, 3> exact;
+  Particle<Pack, 3> i, j;
+  for (auto [from, to] : {std::pair(&one.i, &i), std::pair(&one.j, &j)})
+    for_each_type(Everything{}, [from = from, to = to]<class F>() {
+      for (int k = 0; k < components<F, 3>; ++k)
+        component_array<F>(*to)[k] = Pack(component_array<F>(*from)[k]);
+    });
+  const auto packs = share<TypeParam, Pack, 3>(i, j);
+  const auto wanted = share<TypeParam, double, 3>(exact.i, exact.j);
+  float lane[native_lanes<float>];
+  for (int d = 0; d < 3; ++d) {
+    store(lane, packs.a[d]);
+    for (const float value : lane) EXPECT_NEAR(value, wanted.a[d], 2e-6 * std::abs(wanted.a[0])) << "component " << d;
+  }
+}
+
+template <class Term>
+struct Dissipation : testing::Test {};
+using DissipationTerms = testing::Types<ViscosityGingoldMonaghan, ViscositySignalVelocity>;
+TYPED_TEST_SUITE(Dissipation, DissipationTerms);
+
+TYPED_TEST(Dissipation, conserves_energy_and_heats) {
+  const TwoParticles<double, 3> p;
+  const auto on_i = share<TypeParam, double, 3>(p.i, p.j), on_j = share<TypeParam, double, 3>(p.j, p.i);
+  double kinetic = 0;
+  for (int d = 0; d < 3; ++d) kinetic += p.i.m * p.i.v[d] * on_i.a[d] + p.j.m * p.j.v[d] * on_j.a[d];
+  const double heat = p.i.m * on_i.du + p.j.m * on_j.du;
+  EXPECT_GT(heat, 0);
+  EXPECT_NEAR(kinetic + heat, 0, 1e-14 * heat);
+}
+
+TYPED_TEST(Dissipation, vanishes_for_receding_particles_and_for_particles_at_rest) {
+  TwoParticles<double, 3> p;
+  p.i.v[0] = 2, p.j.v[0] = 1;
+  EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).a[0]), 0);
+  EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).du), 0);
+  p.i.v = p.j.v;
+  EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).a[0]), 0);
+}
+
+}  // namespace
+}  // namespace sphk::test
