@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include "src/cli/commands.hpp"
@@ -61,7 +63,7 @@ void add_physics(CLI::App& app, Options& o) {
 }
 
 void add_threads(CLI::App& app, Options& o) {
-  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::PositiveNumber);
+  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
 }
 
 void add_run(CLI::App& root, Options& o) {
@@ -118,7 +120,7 @@ void add_inspection(CLI::App& root, Options& o) {
   check.add_option("file", o.file, "an HDF5 initial condition")->required();
 }
 
-/// Which of `arguments` is no option of the command that was meant, with the nearest one that is.
+/// The parser's message, the nearest option or command to each word that is none, and where the help is.
 std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App* app = &root;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
@@ -131,8 +133,9 @@ std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc
   std::string hint;
   for (int k = 1; k < argc; ++k) {
     const std::string word(argv[k], std::find(argv[k], argv[k] + std::strlen(argv[k]), '='));
-    const bool wrong = std::string(error.what()).find(word) != std::string::npos;
-    if (wrong && !known.has(word) && (app == &root || word.starts_with("--")))
+    const bool named = std::string(error.what()).find(word) != std::string::npos;
+    const bool command = app == &root && k == 1;
+    if (!known.has(word) && (command || (named && word.starts_with("--"))))
       hint += fmt::format("\n  {}: did you mean {}?", word, known.nearest(word));
   }
   const std::string help = app == &root ? "sphk --help" : fmt::format("sphk {} --help", app->get_name());

@@ -17,13 +17,17 @@ namespace {
 double rough_seconds(const ParticleSet& particles, const Settings& settings) {
   const SimulationSettings s = simulation_settings(settings);
   const double n = static_cast<double>(particles.size());
-  double volume = 1, signal = 0;
+  double volume = 1, mean = 0, largest = 0;
   for (int axis = 0; axis < particles.dimension; ++axis) volume *= particles.box.size[static_cast<std::size_t>(axis)];
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Array3& v = particles.v[i];
     const double sound2 = s.gamma * (s.gamma - 1) * particles.u[i];
-    signal += std::sqrt(sound2 + v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / n;
+    const double signal = std::sqrt(sound2 + v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    mean += signal / n;
+    largest = std::max(largest, signal);
   }
+  // One step for all follows the fastest particle, which slows down while its energy spreads: hence between the two.
+  const double signal = std::sqrt(mean * largest);
   const double spacing = std::pow(volume / n, 1.0 / particles.dimension);
   const double dt = s.courant * spacing / std::max(2 * signal, 1e-300);
   const double steps = std::max(1.0, settings.real("time.end") / dt);

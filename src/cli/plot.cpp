@@ -49,8 +49,8 @@ Targets find_targets(const PlotOptions& options) {
   return targets;
 }
 
-/// The exact solution sampled along the scene's abscissa from the hint's centre: `v` is the velocity along it (v_x or
-/// the radial one), `v_phi` the one across it.
+/// The exact solution sampled along the scene's abscissa from the hint's centre. `v` is v_x along x, the azimuthal
+/// velocity along R and the radial one along r.
 Json exact_profile(const Problem& problem, const PlotHint& hint, double time) {
   const auto exact = problem.scene->exact(problem.settings);
   if (!exact) return nullptr;
@@ -64,8 +64,7 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, double time) {
     profile["abscissa"].push_back(s);
     profile["rho"].push_back(state.rho);
     profile["P"].push_back(state.P);
-    profile["v"].push_back(state.v[0]);
-    profile["v_phi"].push_back(state.v[1]);
+    profile["v"].push_back(state.v[hint.abscissa == "R" ? 1 : 0]);
     profile["u"].push_back(state.P / ((gamma - 1) * state.rho));
     profile["A"].push_back(state.P / std::pow(state.rho, gamma));
   }

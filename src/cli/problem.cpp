@@ -92,6 +92,7 @@ Problem resolve_problem(const std::string& what, const std::vector<Override>& ov
   }
   for (auto& message : apply_overrides(problem.settings, overrides)) problems.push_back(std::move(message));
   if (!problems.empty()) throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
+  problem.scene->adapt(problem.settings);
   return problem;
 }
 

@@ -8,15 +8,18 @@ namespace sphk {
 
 namespace {
 
+constexpr const char* next_line = "\n               ";
+
 void print_list(const char* title, const std::vector<std::string>& items, const char* separator) {
   if (!items.empty()) fmt::print("  {:<12} {}\n", title, fmt::join(items, separator));
 }
 
 void print_keys(const Settings& settings) {
-  const char* origin[] = {"", " (scene)", " (file)", " (command line)"};
-  fmt::print("\n  {:<24} {:<22} {}\n", "key", "value", "meaning");
+  const char* origin[] = {"default", "scene", "file", "command line"};
+  fmt::print("\n  {:<20} {:<20} {:<13} {}\n", "key", "value", "set by", "meaning");
   for (const Key& key : settings.keys()) {
-    fmt::print("  {:<24} {:<22} {}", key.name, to_text(key.value) + origin[static_cast<int>(key.origin)], key.doc);
+    const std::string value = to_text(key.value);
+    fmt::print("  {:<20} {:<20} {:<13} {}", key.name, value, origin[static_cast<int>(key.origin)], key.doc);
     if (!key.choices.empty() && key.choices.size() <= 6) fmt::print(" [{}]", fmt::join(key.choices, ", "));
     fmt::print("\n");
   }
@@ -34,11 +37,11 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
   fmt::print("  {:<12} {}, kernel {}{}, {} precision\n", "scheme", d.scheme, d.kernel, d.tabulated ? " (tabulated)" : "",
              d.precision);
   print_list("passes", d.passes, " -> ");
-  print_list("terms", d.terms, ", ");
+  print_list("terms", d.terms, next_line);
   print_list("fields", d.fields, ", ");
   fmt::print("  {:<12} {:.0f} bytes per particle ({}), {:.0f} operations per pair\n", "cost", d.bytes_per_particle,
              bytes_text(d.bytes_per_particle * static_cast<double>(particles.size())), d.flops_per_pair);
-  print_list("left out", d.left_out, "\n               ");
+  print_list("left out", d.left_out, next_line);
   print_keys(problem.settings);
   return ExitCode::done;
 }

@@ -16,12 +16,12 @@ using Text = std::back_insert_iterator<std::string>;
 void phase_row(Text out, const std::string& name, double seconds, const RunRecord& r) {
   const double updates = static_cast<double>(r.costs.updates);
   const double share = r.wall_seconds > 0 ? 100 * seconds / r.wall_seconds : 0;
-  fmt::format_to(out, "  {:<24} {:>9.3f} {:>6.1f} {:>12.3f}\n", name, seconds, share,
+  fmt::format_to(out, "  {:<30} {:>9.3f} {:>6.1f} {:>12.3f}\n", name, seconds, share,
                  updates > 0 ? 1e6 * seconds / updates : 0);
 }
 
 void phases(Text out, const RunRecord& r) {
-  fmt::format_to(out, "  {:<24} {:>9} {:>6} {:>12}\n", "phase", "seconds", "%", "us/update");
+  fmt::format_to(out, "  {:<30} {:>9} {:>6} {:>12}\n", "phase", "seconds", "%", "us/update");
   double listed = 0;
   for (const auto& [name, seconds] : r.costs.phases) {
     phase_row(out, name, seconds, r);

@@ -17,9 +17,7 @@ def bin_means(s, y, low, high):
 
 
 def field_label(item, name):
-    if name != "v":
-        return LABELS.get(name, name)
-    return LABELS["v_x" if item["abscissa"] == "x" else "v_r"]
+    return LABELS["v_" + item["abscissa"]] if name == "v" else LABELS.get(name, name)
 
 
 def limits(values):

@@ -34,16 +34,15 @@ class Snapshot:
         return np.sqrt((d[:, :2] ** 2).sum(1) if self.item["abscissa"] == "R" else (d**2).sum(1))
 
     def value(self, name):
-        """A field by its short name; v is the velocity along the abscissa."""
+        """A field by its short name; v is v_x along x, azimuthal along R and radial along r."""
         if name in self.fields:
             return self.fields[name]
-        if name == "v_phi":
-            d = self.offset()
-            return (d[:, 0] * self.velocity[:, 1] - d[:, 1] * self.velocity[:, 0]) / np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-300)
         if self.item["abscissa"] == "x":
             return self.velocity[:, 0]
-        axes = 2 if self.item["abscissa"] == "R" else 3
-        return (self.offset()[:, :axes] * self.velocity[:, :axes]).sum(1) / np.maximum(self.abscissa(), 1e-300)
+        d, v = self.offset(), self.velocity
+        if self.item["abscissa"] == "R":
+            return (d[:, 0] * v[:, 1] - d[:, 1] * v[:, 0]) / np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-300)
+        return (d * v).sum(1) / np.maximum(self.abscissa(), 1e-300)
 
     def can_show(self, name):
-        return name in self.fields or name.startswith("v")
+        return name in self.fields or name == "v"

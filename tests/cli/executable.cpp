@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/report/temporary_folder.hpp"
+
+namespace sphk {
+namespace {
+
+struct Result {
+  int code = -1;
+  std::string text;  ///< standard output and error together
+};
+
+/// Runs `sphk ARGUMENTS` in `folder`.
+Result sphk_in(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::string command = "cd '" + folder.string() + "' && '" SPHK_EXECUTABLE "' " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  Result result;
+  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) result.text += static_cast<char>(c);
+  const int status = pclose(pipe);
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+constexpr const char* small_run = "run uniform -n 8 --set scene.lattice=cubic --set scene.jitter=0.1 --steps 3";
+
+class Executable : public testing::Test {
+ protected:
+  Result sphk(const std::string& arguments) { return sphk_in(folder.path(), arguments); }
+  std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
+  TemporaryFolder folder;
+};
+
+TEST_F(Executable, BadInputEndsWithCode2AndTellsHowToMendIt) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"run sodd", "sod"},
+      {"run sod --set sph.kernal=cs", "did you mean \"sph.kernel\"?"},
+      {"run sod --kernal cs", "--kernal: did you mean --kernel?"},
+      {"run sod --set kernel", "write KEY=VALUE"},
+      {"run missing.hdf5", "missing.hdf5"},
+      {"run missing.toml", "missing.toml"},
+      {"rum sod", "rum: did you mean run?"},
+      {"", "--help"},
+      {"info missing.hdf5", "missing.hdf5"},
+      {"plot missing", "missing"},
+      {"run uniform -n 8 --set scene.lattice=cubic --t-end 0", "--t-end"},
+  };
+  for (const auto& [arguments, hint] : wrong) {
+    const Result result = sphk(arguments);
+    EXPECT_EQ(result.code, 2) << arguments << "\n" << result.text;
+    EXPECT_NE(result.text.find(hint), std::string::npos) << arguments << "\n" << result.text;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));  // nothing is left behind
+}
+
+TEST_F(Executable, AFileThatIsNoHdf5IsBadInput) {
+  std::ofstream(file("bad.hdf5")) << "this is text";
+  for (const char* arguments : {"run bad.hdf5 --t-end 1", "info bad.hdf5", "ic check bad.hdf5", "rates bad.hdf5 --out r.hdf5"})
+    EXPECT_EQ(sphk(arguments).code, 2) << arguments;
+}
+
+TEST_F(Executable, HelpHasExamplesForEveryCommand) {
+  EXPECT_NE(sphk("--help").text.find("sphk run sod"), std::string::npos);
+  for (const char* command : {"run", "plot", "rates", "show"}) {
+    const Result result = sphk(std::string(command) + " --help");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.text.find("Example"), std::string::npos) << command;
+  }
+  EXPECT_EQ(sphk("--version").code, 0);
+}
+
+TEST_F(Executable, ARunLeavesTheFilesOfTheContract) {
+  const Result result = sphk(small_run);
+  ASSERT_EQ(result.code, 0) << result.text;
+  for (const char* name : {"scene.used.toml", "snap_0000.hdf5", "snap_0001.hdf5", "run.hdf.series", "history.csv", "run.json"})
+    EXPECT_TRUE(std::filesystem::exists(file("uniform-run") / name)) << name;
+  const auto json = nlohmann::json::parse(read_text(file("uniform-run") / "run.json"));
+  EXPECT_EQ(json["particles"], 512);  // 8^3
+  EXPECT_EQ(json["steps"], 3);
+  EXPECT_EQ(json["updates"], 3 * 512);
+  EXPECT_EQ(json["finished"], true);
+  EXPECT_GT(json["pair_interactions"], 0.0);
+  EXPECT_GT(json["wall_seconds"], 0.0);
+  EXPECT_LT(json["conservation"]["energy"], 1e-3);
+  // The first line says what runs; without a terminal there is no bar.
+  EXPECT_TRUE(result.text.starts_with("sphk ")) << result.text;
+  for (const char* part : {"512 particles in 3D", "precision", "threads", "kernel cs", "updates/s", "phase", "sphk plot uniform-run"})
+    EXPECT_NE(result.text.find(part), std::string::npos) << part << "\n" << result.text;
+  EXPECT_EQ(result.text.find('\r'), std::string::npos);
+}
+
+TEST_F(Executable, AnotherRunTakesAnotherFolderAndOutIsNeverOverwrittenSilently) {
+  const std::string quick = "run uniform -n 4 --set scene.lattice=cubic --steps 1";
+  ASSERT_EQ(sphk(quick).code, 0);
+  ASSERT_EQ(sphk(quick).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("uniform-run-2/run.json")));
+  EXPECT_EQ(sphk(quick + " --out uniform-run").code, 2);
+  EXPECT_EQ(sphk(quick + " --out uniform-run --overwrite").code, 0);
+}
+
+TEST_F(Executable, TheUsedSceneFileAndASnapshotRunAgain) {
+  ASSERT_EQ(sphk(small_run).code, 0);
+  EXPECT_EQ(sphk("run uniform-run/scene.used.toml --out again").code, 0);
+  EXPECT_EQ(read_text(file("uniform-run/history.csv")).substr(0, 200), read_text(file("again/history.csv")).substr(0, 200));
+  const Result result = sphk("run uniform-run/snap_0001.hdf5 --t-end 0.2 --steps 1");
+  EXPECT_EQ(result.code, 0) << result.text;
+  EXPECT_TRUE(std::filesystem::exists(file("file-run/run.json")));
+}
+
+TEST_F(Executable, ADryRunWritesNothing) {
+  const Result result = sphk("run uniform -n 8 --set scene.lattice=cubic --dry-run");
+  EXPECT_EQ(result.code, 0) << result.text;
+  for (const char* part : {"particles   512", "memory", "time-step", "steps", "output", "run time"})
+    EXPECT_NE(result.text.find(part), std::string::npos) << part << "\n" << result.text;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_F(Executable, AJsonLogHoldsNothingButJson) {
+  const Result result = sphk(std::string(small_run) + " --json-log");
+  std::stringstream lines(result.text);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_TRUE(nlohmann::json::accept(line)) << line;
+  EXPECT_GT(count, 2);
+}
+
+TEST_F(Executable, RatesKeepTheOrderOfTheFile) {
+  ASSERT_EQ(sphk(small_run).code, 0);
+  const Result result = sphk("rates uniform-run/snap_0001.hdf5 --scheme gadget2 --neighbours 42 --out rates.hdf5 --split");
+  EXPECT_EQ(result.code, 0) << result.text;
+  const Result info = sphk("info rates.hdf5");
+  EXPECT_EQ(info.code, 0) << info.text;
+  EXPECT_NE(info.text.find("Acceleration"), std::string::npos) << info.text;
+}
+
+TEST_F(Executable, ListShowInfoAndCheckWork) {
+  const Result list = sphk("list");
+  EXPECT_EQ(list.code, 0);
+  for (const char* scene : {"sod", "gresho", "sedov", "noh", "uniform"})
+    EXPECT_NE(list.text.find(std::string("\n") + scene), std::string::npos) << list.text;
+  const Result show = sphk("show gresho -n 16 --kernel hoct4");
+  EXPECT_EQ(show.code, 0);
+  for (const char* part : {"passes", "terms", "fields", "bytes per particle", "sph.neighbours", "hoct4"})
+    EXPECT_NE(show.text.find(part), std::string::npos) << part << "\n" << show.text;
+  ASSERT_EQ(sphk(small_run).code, 0);
+  EXPECT_EQ(sphk("info uniform-run/snap_0000.hdf5").code, 0);
+  EXPECT_EQ(sphk("ic check uniform-run/snap_0000.hdf5").code, 0);
+}
+
+// SIGTERM after a second of a long run: the state is written and the exit code says so.
+TEST_F(Executable, ASignalStopsTheRunWithCode75) {
+  const Result result = sphk(
+      "run uniform -n 16 --set scene.lattice=cubic --t-end 1000 --out stopped & pid=$!; "
+      "for k in $(seq 300); do [ -e stopped/snap_0000.hdf5 ] && break; sleep 0.1; done; sleep 0.5; kill -TERM $pid; wait $pid");
+  EXPECT_EQ(result.code, 75) << result.text;
+  EXPECT_TRUE(std::filesystem::exists(file("stopped/snap_0001.hdf5"))) << result.text;
+  EXPECT_EQ(nlohmann::json::parse(read_text(file("stopped/run.json")))["finished"], false);
+}
+
+}  // namespace
+}  // namespace sphk

@@ -1,0 +1,74 @@
+"""`sphk plot` of small runs gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import h5py  # noqa: F401
+    import matplotlib.image
+except ImportError:
+    print("skipped: figures need python3-matplotlib and python3-h5py")
+    sys.exit(77)
+
+SPHK = sys.argv.pop()
+
+
+def colours(path):
+    """Pixels of a PNG and the number of different colours among them."""
+    pixels = matplotlib.image.imread(path)[..., :3].reshape(-1, 3)
+    return pixels, len({tuple(p) for p in (pixels[::7] * 255).astype(int)})
+
+
+def share(pixels, colour):
+    """Part of the pixels that have this colour, #rrggbb, within 2 of 255."""
+    wanted = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    return (abs(pixels - wanted).max(1) < 2.5 / 255).mean()
+
+
+class Figures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = cls.temporary.name
+        cls.sphk("run", "gresho", "-n", "16", "--set", "scene.dimension=2", "--steps", "4", "--out", "run")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def sphk(cls, *arguments, code=0, **environment):
+        done = subprocess.run([SPHK, *arguments], cwd=cls.folder, env=os.environ | environment, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        assert done.returncode == code, done.stdout
+        return done.stdout
+
+    def test_a_run_gives_profiles_a_map_and_a_history(self):
+        names = self.sphk("plot", "run").split()
+        self.assertEqual([os.path.basename(n) for n in names], ["snap_0001.png", "snap_0001_map.png", "history.png"])
+        pixels, count = colours(os.path.join(self.folder, names[0]))
+        self.assertGreater(count, 20)
+        self.assertGreater(share(pixels, "#d55e00"), 1e-3)  # the exact line
+        self.assertGreater(share(pixels, "#0072b2"), 1e-4)  # the bin means
+        self.assertGreater(colours(os.path.join(self.folder, names[1]))[1], 100)  # a map has shades
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, names[2])), 10000)
+
+    def test_without_exact_there_is_no_exact_line(self):
+        self.sphk("plot", "run/snap_0000.hdf5", "--no-exact", "--out", "bare.png")
+        self.assertLess(share(colours(os.path.join(self.folder, "bare.png"))[0], "#d55e00"), 1e-4)
+
+    def test_a_snapshot_alone_is_drawn_without_its_run(self):
+        os.makedirs(os.path.join(self.folder, "alone"), exist_ok=True)
+        os.link(os.path.join(self.folder, "run/snap_0001.hdf5"), os.path.join(self.folder, "alone/snap.hdf5"))
+        self.sphk("plot", "alone/snap.hdf5")
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "alone/snap.png")))
+
+    def test_a_python_without_matplotlib_is_named_with_the_cure(self):
+        text = self.sphk("plot", "run", code=2, SPHK_PYTHON="/nonexistent/python3")
+        self.assertIn("apt-get install python3-matplotlib python3-h5py", text)
+
+
+unittest.main()

@@ -1,0 +1,154 @@
+#include "src/cli/run_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "src/cli/problem.hpp"
+#include "src/cli/stop_signal.hpp"
+#include "src/engine/errors.hpp"
+#include "src/schemes/registry.hpp"
+#include "tests/report/temporary_folder.hpp"
+
+namespace sphk {
+namespace {
+
+/// One particle that stays where it is; every step takes `dt` unless the end is nearer.
+class Clock : public Simulation {
+ public:
+  explicit Clock(double dt) : dt_(dt) {}
+  StepReport step(double t_end) override {
+    last_.dt = std::min(dt_, t_end - last_.time);
+    last_.time = last_.time + dt_ >= t_end ? t_end : last_.time + dt_;
+    ++last_.step;
+    ends.push_back(t_end);
+    if (last_.step == fails_at) throw NumericsError("the clock broke");
+    if (last_.step == stops_at) std::raise(SIGTERM);
+    return last_;
+  }
+  double time() const override { return last_.time; }
+  std::size_t size() const override { return 1; }
+  Totals totals() const override { return {.mass = 1, .thermal = 1, .momentum = {}, .angular_momentum = {}}; }
+  Costs costs() const override { return {.updates = last_.step, .phases = {}}; }
+  StepReport last_step() const override { return last_; }
+  Snapshot snapshot() const override {
+    Snapshot s;
+    s.time = last_.time;
+    s.step = last_.step;
+    s.id = {1};
+    for (const char* name : {"Masses", "Densities", "InternalEnergies", "Pressures", "SmoothingLength", "Entropies"})
+      s.fields.push_back({.name = name, .description = "", .units = {}, .components = 1, .values = {1}});
+    for (const char* name : {"Coordinates", "Velocities"})
+      s.fields.push_back({.name = name, .description = "", .units = {}, .components = 3, .values = {0.5, 0.5, 0.5}});
+    return s;
+  }
+  std::vector<Field> rates(bool) override { return {}; }
+  std::vector<std::string> warnings() const override { return {}; }
+
+  std::vector<double> ends;  ///< the t_end of every step
+  long fails_at = 0, stops_at = 0;
+
+ private:
+  double dt_;
+  StepReport last_;
+};
+
+class Still : public Scene {
+ public:
+  std::string name() const override { return "still"; }
+  std::string summary() const override { return ""; }
+  void declare(Settings&) const override {}
+  ParticleSet build(const Settings&) const override { return {}; }
+  std::map<std::string, ErrorNorm> errors(const Settings&, const Snapshot& s) const override {
+    return {{"v", {.l1 = 10 * s.time, .where = {}}}};
+  }
+};
+
+class RunLoopTest : public testing::Test {
+ protected:
+  RunLoopTest() {
+    declare_engine_keys(settings);
+    declare_run_keys(settings);
+  }
+  RunLoop::End run(Clock& clock, RunLoop::Plan plan) {
+    RunOutput output(folder.path(), scene, settings);
+    Progress progress(ProgressStyle::lines, {}, log);
+    RunLoop loop(clock, output, progress, plan, {});
+    const auto end = loop.run();
+    steps = loop.steps();
+    return end;
+  }
+  /// Times of the outputs, as history.csv has them.
+  std::vector<double> times() const {
+    std::stringstream text(read_text(folder.path() / "history.csv"));
+    std::vector<double> found;
+    std::string line;
+    std::getline(text, line);
+    while (std::getline(text, line)) found.push_back(std::stod(line.substr(line.find(',') + 1)));
+    return found;
+  }
+
+  TemporaryFolder folder;
+  Still scene;
+  Settings settings;
+  std::FILE* log = std::fopen("/dev/null", "w");
+  long steps = 0;
+};
+
+TEST_F(RunLoopTest, OutputsLieAtEqualIntervalsOfTimeAndNoStepPassesThem) {
+  Clock clock(0.07);
+  EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 4}), RunLoop::End::finished);
+  EXPECT_EQ(times(), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
+  EXPECT_EQ(steps, 16);  // four to each quarter: 0.07, 0.14, 0.21, 0.25
+  for (int k = 0; k <= 4; ++k) EXPECT_TRUE(std::filesystem::exists(folder.path() / ("snap_000" + std::to_string(k) + ".hdf5")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "snap_0005.hdf5"));
+}
+
+TEST_F(RunLoopTest, ParaviewsSeriesNamesEverySnapshot) {
+  Clock clock(1);
+  run(clock, {.end = 1, .steps = 0, .snapshots = 2});
+  const auto series = nlohmann::json::parse(read_text(folder.path() / "run.hdf.series"));
+  ASSERT_EQ(series["files"].size(), 3u);
+  EXPECT_EQ(series["files"][1]["name"], "snap_0001.hdf5");
+  EXPECT_EQ(series["files"][1]["time"], 0.5);
+}
+
+TEST_F(RunLoopTest, TheLimitOfStepsEndsTheRunWithAnOutput) {
+  Clock clock(0.1);
+  EXPECT_EQ(run(clock, {.end = 1, .steps = 3, .snapshots = 1}), RunLoop::End::finished);
+  EXPECT_EQ(steps, 3);
+  ASSERT_EQ(times().size(), 2u);
+  EXPECT_NEAR(times().back(), 0.3, 1e-15);
+}
+
+TEST_F(RunLoopTest, ErrorsGoIntoTheHistory) {
+  Clock clock(1);
+  run(clock, {.end = 1, .steps = 0, .snapshots = 2});
+  std::stringstream text(read_text(folder.path() / "history.csv"));
+  std::string names, first, second;
+  std::getline(text, names), std::getline(text, first), std::getline(text, second);
+  EXPECT_TRUE(names.ends_with(",l1_v")) << names;
+  EXPECT_TRUE(second.ends_with(",5")) << second;  // 10 t at t = 0.5
+}
+
+TEST_F(RunLoopTest, ANumericsErrorPassesThrough) {
+  Clock clock(0.1);
+  clock.fails_at = 2;
+  EXPECT_THROW(run(clock, {.end = 1, .steps = 0, .snapshots = 1}), NumericsError);
+}
+
+// Last: the request to stop stays for the rest of the process.
+TEST_F(RunLoopTest, ZASignalFinishesTheStepAndWritesTheState) {
+  catch_stop_signals();
+  Clock clock(0.1);
+  clock.stops_at = 4;
+  EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 1}), RunLoop::End::stopped);
+  EXPECT_EQ(steps, 4);
+  ASSERT_EQ(times().size(), 2u);
+  EXPECT_NEAR(times().back(), 0.4, 1e-15);
+}
+
+}  // namespace
+}  // namespace sphk
