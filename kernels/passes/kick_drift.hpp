@@ -29,8 +29,10 @@ struct KickAndDrift {
     state.template at<HalfStepThermal>(i) = s_half;
     state.template at<Thermal>(i) = positive_sum(s_half, half_kick);
     if constexpr (contains<VelocityDivergence, typename L::Fields>) {
-      const double growth = dt * state.template at<VelocityDivergence>(i) / D;
-      state.template at<Support>(i) *= Kokkos::exp(min(max(growth, -0.2), 0.2));
+      double& h = state.template at<Support>(i);
+      const double slope = h * state.template at<NumberDensitySlope>(i) / state.template at<NumberDensity>(i);
+      const double growth = dt * state.template at<VelocityDivergence>(i) / (D + slope);
+      h *= Kokkos::exp(min(max(growth, -0.2), 0.2));
     }
   }
 };
@@ -57,7 +59,7 @@ struct ClosingKick {
 }  // namespace detail
 
 /// Opening kick over half a step, drift over a whole one, velocities and thermal variable predicted to its end; the support
-/// follows the expansion, h exp(dt div v / D).
+/// follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;

@@ -13,23 +13,23 @@ struct SupportCounts {
   long evaluations = 0;  ///< of n(h), over all particles
   long bisections = 0;   ///< particles that needed the safety net
   long capped = 0;       ///< particles that stay at h_max with too few neighbours
+  long crowded = 0;      ///< coincident particles, more of them than neighbours asked
   long failed = 0;
-  long worst = -1;  ///< a particle that failed or was capped
 
   KOKKOS_INLINE_FUNCTION SupportCounts& operator+=(const SupportCounts& b) {
     evaluations += b.evaluations;
     bisections += b.bisections;
     capped += b.capped;
+    crowded += b.crowded;
     failed += b.failed;
-    worst = b.worst > worst ? b.worst : worst;
     return *this;
   }
-  KOKKOS_INLINE_FUNCTION void count(const SupportSearch& search, SupportSearch::Result result, int i) {
+  KOKKOS_INLINE_FUNCTION void count(const SupportSearch& search, SupportSearch::Result result) {
     evaluations += search.evaluations;
     bisections += search.bisected;
     capped += result == SupportSearch::Result::capped;
+    crowded += result == SupportSearch::Result::crowded;
     failed += result == SupportSearch::Result::failed;
-    if (result != SupportSearch::Result::found) worst = i > worst ? i : worst;
   }
 };
 
@@ -107,7 +107,7 @@ struct FindSupport {
       result = advance(search, sums, move);
     }
     finish(i, search, sums, move);
-    counts.count(search, result, i);
+    counts.count(search, result);
   }
 
   /// A team of one host thread per cell, with tiles.
@@ -131,7 +131,7 @@ struct FindSupport {
       if (result == Result::search) return;
       pending[k] = false;
       finish(begin + k, searches[k], sums[k], move);
-      counts.count(searches[k], result, begin + k);
+      counts.count(searches[k], result);
     };
     for (double margin = 1.02; largest > 0; margin = 1.3) {
       const double reach = margin * largest;

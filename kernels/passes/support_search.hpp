@@ -13,7 +13,7 @@ inline constexpr double unit_sphere = D == 1 ? 2 : D == 2 ? 3.141592653589793238
 /// Search for the support radius of one particle: the root of F(h) = V_D h^D n(h) - N_n (S12 eq 11), which grows with h.
 /// Newton steps inside a bracket, bisection where they leave it; it always ends.
 struct SupportSearch {
-  enum class Result { search, found, capped, failed };
+  enum class Result { search, found, capped, crowded, failed };
   static constexpr int max_evaluations = 100;
 
   double h;
@@ -24,7 +24,8 @@ struct SupportSearch {
 
   /// Takes n(h) and dn/dh; moves h to the next trial. `found` once the move is below accept * h: h is then the root to
   /// second order of the move, which is left in `move` for the caller to carry n over. `capped` at h_max with too few
-  /// neighbours.
+  /// neighbours; `crowded` where coincident particles alone outnumber N_n, so that no h has fewer: h stays where it holds
+  /// nobody else.
   template <int D>
   KOKKOS_INLINE_FUNCTION Result advance(double n, double dn_dh, double neighbours, double accept, double h_max,
                                         double& move) {
@@ -34,6 +35,7 @@ struct SupportSearch {
     move = 0;
     ++evaluations;
     if (F < 0 && h >= h_max) return Result::capped;
+    if (F > 0 && dF * h < 1e-12 * neighbours) return Result::crowded;
     if (F > 0) above = sphk::min(above, h);
     else below = sphk::max(below, h);
     double next = dF > 0 ? h - F / dF : 2 * h;

@@ -23,10 +23,11 @@ class Engine final : public Simulation {
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
       : run_{load<S>(particles, settings, kernel)},
         origin_(particles.box),
-        steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 1e-2 : 1e-3),
+        steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 1e-4),
         max_dt_(settings.max_dt) {
     pass_steps(typename S::Steps{});
     require_finite(run_.limit, run_.time, run_.step);
+    searches_ += run_.searches;
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
     count_neighbours<Layout>(run_.state, report_);

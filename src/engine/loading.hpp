@@ -14,6 +14,7 @@ namespace detail {
 template <class L>
 struct GuessSupport {
   Particles<L> state;
+  double fallback;  ///< where a cell has no volume
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     constexpr int D = L::dimension;
     if (state.template at<Support>(i) > 0) return;
@@ -25,7 +26,7 @@ struct GuessSupport {
     for (int d = 0; d < D; ++d) volume *= max(b.hi[d] - b.lo[d], 0.1 * longest);
     const double per_neighbour = volume / (held * unit_sphere<D>);
     const double h = Kokkos::pow(state.parameters.neighbours * per_neighbour, 1.0 / D);
-    state.template at<Support>(i) = longest > 0 ? min(h, state.parameters.h_max) : 0.1 * state.parameters.h_max;
+    state.template at<Support>(i) = min(longest > 0 ? h : fallback, state.parameters.h_max);
   }
 };
 
@@ -77,6 +78,15 @@ inline double support_cap(const ParticleSet& particles, const SimulationSettings
   return open ? std::sqrt(diagonal2) : 1e300;
 }
 
+/// The support radius if the particles filled their box evenly.
+inline double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {
+  const int D = particles.dimension;
+  double volume = 1;
+  for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
+  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
+  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
+}
+
 /// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
 template <class S>
 Run<S> load(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
@@ -102,7 +112,7 @@ Run<S> load(const ParticleSet& particles, const SimulationSettings& settings, co
   detail::copy_to_columns<typename S::Layout>(run.state, particles);
   SortedCells::run(run);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
-  Kokkos::parallel_for("guess support", all, detail::GuessSupport<typename S::Layout>{run.state});
+  Kokkos::parallel_for("guess support", all, detail::GuessSupport<typename S::Layout>{run.state, support_of_even_gas(particles, settings)});
   SmoothingLength::run(run);
   Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<typename S::Layout>{run.state});
   return run;

@@ -135,6 +135,10 @@ inline std::vector<std::string> support_warnings(const SupportCounts& counts) {
     warnings.push_back(fmt::format("{} searches ended at the largest support radius with fewer neighbours than asked: raise "
                                    "sph.h_max or lower sph.neighbours",
                                    counts.capped));
+  if (counts.crowded > 0)
+    warnings.push_back(fmt::format("{} searches found more coincident particles than neighbours asked: their support holds "
+                                   "nobody else; `sphk ic check` lists them",
+                                   counts.crowded));
   if (counts.failed > 0)
     warnings.push_back(fmt::format("{} searches for a support radius did not converge", counts.failed));
   return warnings;

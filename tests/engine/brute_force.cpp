@@ -66,13 +66,15 @@ std::vector<BruteForce::Neighbour> BruteForce::images(int i, double reach) const
 
 /// V h^D n(h) = N_n (S12 eq 11) by bisection to the last bit.
 double BruteForce::root_of_constraint(int i) const {
+  double low = 0, high = 0.1;
+  std::vector<Neighbour> pairs = images(i, high);
   const auto excess = [&](double trial) {
     double sum = 0;
-    for (const Neighbour& pair : images(i, trial)) sum += kernel(pair.r, trial).W;
+    for (const Neighbour& pair : pairs)
+      if (pair.r < trial) sum += kernel(pair.r, trial).W;
     return sphere_volume(particles_.dimension, trial) * sum - settings_.neighbours;
   };
-  double low = 0, high = 1e-3;
-  while (excess(high) < 0) high *= 2;
+  while (excess(high) < 0) high *= 1.5, pairs = images(i, high);
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
     (excess(middle) < 0 ? low : high) = middle;
