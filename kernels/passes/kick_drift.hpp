@@ -31,7 +31,8 @@ struct KickAndDrift {
     if constexpr (contains<VelocityDivergence, typename L::Fields>) {
       double& h = state.template at<Support>(i);
       const double slope = h * state.template at<NumberDensitySlope>(i) / state.template at<NumberDensity>(i);
-      const double growth = dt * state.template at<VelocityDivergence>(i) / (D + slope);
+      // D + slope = 0 where the support holds coincident particles alone.
+      const double growth = dt * state.template at<VelocityDivergence>(i) / max(D + slope, 0.1);
       h *= Kokkos::exp(min(max(growth, -0.2), 0.2));
     }
   }
@@ -52,7 +53,9 @@ struct ClosingKick {
       state.template at<ThermalRate>(i) = ds;
       state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
     }
-    limit += {state.parameters.courant * state.template at<Support>(i) / state.template at<MaxSignalVelocity>(i), i};
+    const double asked =
+        state.parameters.courant * state.template at<Support>(i) / state.template at<MaxSignalVelocity>(i);
+    limit += {asked > 0 ? asked : 0, i};  // NaN becomes 0, which nothing undercuts
   }
 };
 

@@ -166,7 +166,7 @@ struct FindSupport {
     cell.select(sub_cell, reach);
     for (int i = from; i < to; ++i) {
       const int k = i - base;
-      while (pending[k] && searches[k].h <= reach) {
+      while (pending[k] && !(searches[k].h > reach)) {  // a NaN is met and fails
         if (whole_reach > 0) set_zero(sums[k]);
         add_sums(cell, i, searches[k].h, sums[k]);
         if (whole_reach == 0) break;

@@ -34,6 +34,7 @@ struct SupportSearch {
     const double dF = volume * (D * n / h + dn_dh);
     move = 0;
     ++evaluations;
+    if (!(volume > 0 && F == F)) return Result::failed;
     if (F < 0 && h >= h_max) return Result::capped;
     if (F > 0 && dF * h < 1e-12 * neighbours) return Result::crowded;
     if (F > 0) above = sphk::min(above, h);

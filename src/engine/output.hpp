@@ -120,13 +120,13 @@ Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double tim
   return snapshot;
 }
 
-/// Throws NumericsError naming the pass and the particle when the next time-step is not a positive finite number.
+/// Throws NumericsError naming the particle when the next time-step is not positive.
 inline void require_finite(const StepLimit& limit, double time, long step) {
-  if (limit.dt > 0 && limit.dt < 1e299) return;
+  if (limit.dt > 0) return;
   throw NumericsError(
-      fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is {}: a velocity, an energy or a density is "
-                  "not finite. Look at the last snapshot around that particle; a smaller time.courant may help.",
-                  step, time, limit.particle, limit.dt));
+      fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is not a positive number: a velocity, an "
+                  "energy or a density is not finite. Look at the last snapshot around that particle; a smaller time.courant may help.",
+                  step, time, limit.particle));
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {
