@@ -51,12 +51,11 @@ configure() {
   command -v ninja >/dev/null && generator=(-G Ninja)
   mkdir -p "$build"
   say "configuring in $build"
-  if ! cmake "${generator[@]}" -C "$project/cmake/presets/$preset.cmake" -S "$project" -B "$build" \
-    </dev/null >"$build/configure.log" 2>&1; then
+  if ! cmake "${generator[@]}" -C "$project/cmake/presets/$preset.cmake" -S "$project" -B "$build" </dev/null 2>&1 |
+    tee "$build/configure.log" | sed -un 's/^-- sphk:/sphk:/p' >&2; then
     cat "$build/configure.log" >&2
     stop "cmake could not configure; the reason is above and in $build/configure.log"
   fi
-  grep '^-- sphk:' "$build/configure.log" | sed 's/^-- //' >&2
 }
 
 jobs() {

@@ -65,6 +65,7 @@ endfunction()
 
 function(sphk_kokkos_archive out folder)
   set(reasons "")
+  list(JOIN SPHK_KOKKOS_ROADS ", " tried)
   foreach(road IN LISTS SPHK_KOKKOS_ROADS)
     if(NOT road MATCHES "^(github|pypi)$")
       continue()
@@ -89,6 +90,6 @@ function(sphk_kokkos_archive out folder)
     string(APPEND reasons "\n  ${road}: ${why}")
   endforeach()
   message(FATAL_ERROR
-    "sphk: no road led to Kokkos ${SPHK_KOKKOS_VERSION} (tried: ${SPHK_KOKKOS_ROADS}).${reasons}\n"
+    "sphk: no road led to Kokkos ${SPHK_KOKKOS_VERSION} (tried: ${tried}).${reasons}\n"
     "Install Kokkos 4.7 and pass -DKokkos_ROOT=PREFIX, or unpack its source and pass -DSPHK_KOKKOS_SOURCE=FOLDER.")
 endfunction()
