@@ -44,9 +44,12 @@ struct ClosingKick {
   double dt;
   KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
     constexpr int D = L::dimension;
-    for (int d = 0; d < D; ++d)
-      state.template at<Velocity>(i, d) =
-          state.template at<HalfStepVelocity>(i, d) + 0.5 * dt * state.template at<Acceleration>(i, d);
+    double sum = 0;  // not finite where anything of the particle is not
+    for (int d = 0; d < D; ++d) {
+      double& v = state.template at<Velocity>(i, d);
+      v = state.template at<HalfStepVelocity>(i, d) + 0.5 * dt * state.template at<Acceleration>(i, d);
+      sum += v;
+    }
     if constexpr (contains<Heating, typename L::Fields>) {
       const double ds = L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
                                              state.parameters.gamma);
@@ -55,7 +58,8 @@ struct ClosingKick {
     }
     const double asked =
         state.parameters.courant * state.template at<Support>(i) / state.template at<MaxSignalVelocity>(i);
-    limit += {asked > 0 ? asked : 0, i};  // NaN becomes 0, which nothing undercuts
+    sum += state.template at<Thermal>(i);
+    limit += {asked > 0 && Kokkos::isfinite(sum) ? asked : 0, i};
   }
 };
 

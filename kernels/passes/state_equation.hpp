@@ -56,8 +56,9 @@ struct EvaluateState {
     set<SoundSpeed>(i, c);
     if constexpr (contains<GradHMass, Fields>) {
       const double h_Dn = h / (D * state.template at<NumberDensity>(i));
-      set<GradHMass>(i, -h_Dn * state.template at<DensitySlope>(i) /
-                            (1 + h_Dn * state.template at<NumberDensitySlope>(i)));
+      const double Omega = 1 + h_Dn * state.template at<NumberDensitySlope>(i);
+      // Omega vanishes where the support holds coincident particles alone: h is free there, and has no gradient.
+      set<GradHMass>(i, Omega > 1e-8 ? -h_Dn * state.template at<DensitySlope>(i) / Omega : 0);
     }
     if constexpr (contains<Balsara, Fields>) {
       double curl2 = 0;
