@@ -23,7 +23,7 @@ class Engine final : public Simulation {
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
       : run_{load<S>(particles, settings, kernel)},
         origin_(particles.box),
-        steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 1e-4),
+        steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt) {
     pass_steps(typename S::Steps{});
     require_finite(run_.limit, run_.time, run_.step);

