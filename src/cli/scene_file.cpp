@@ -14,15 +14,18 @@ namespace {
 
 bool is_scene_name(const std::string& name) { return name == "scene" || name == "scene.name"; }
 
-/// Where the key stands in its line: the last occurrence of its name before the value.
+/// Where the key stands in its line: the last occurrence of its name before the value, or the first in [section].
 int key_column(const std::string& line, const std::string& leaf, int value_column) {
-  const auto at = line.rfind(leaf, static_cast<std::size_t>(value_column - 1));
+  auto at = line.rfind(leaf, static_cast<std::size_t>(value_column - 1));
+  if (at == std::string::npos) at = line.find(leaf);
   return at == std::string::npos ? value_column : static_cast<int>(at) + 1;
 }
 
 SceneFileEntry entry_of(const std::string& name, const std::string& leaf, const toml::value& value) {
   const auto place = value.location();
-  SceneFileEntry entry{.name = name, .value = {}, .line = static_cast<int>(place.line())};
+  SceneFileEntry entry;
+  entry.name = name;
+  entry.line = static_cast<int>(place.line());
   entry.value_column = static_cast<int>(place.column());
   entry.key_column = key_column(place.line_str(), leaf, entry.value_column);
   entry.line_text = place.line_str();
@@ -43,9 +46,26 @@ void flatten(const std::string& prefix, const toml::value& table, std::vector<Sc
   }
 }
 
-bool has_section(const Settings& settings, const std::string& name) {
-  const auto inside = [&](const Key& key) { return key.name.starts_with(name + "."); };
-  return name == "scene" || std::ranges::any_of(settings.keys(), inside);
+/// The sections that have keys, in the order of their declaration; [scene] is always one.
+std::vector<std::string> sections_of(const Settings& settings) {
+  std::vector<std::string> sections{"scene"};
+  for (const Key& key : settings.keys()) {
+    const std::string section = key.name.substr(0, key.name.rfind('.'));
+    if (std::ranges::find(sections, section) == sections.end()) sections.push_back(section);
+  }
+  return sections;
+}
+
+/// What is wrong with the name of an entry, or nothing.
+std::string name_problem(const SceneFileEntry& entry, const Settings& settings) {
+  if (settings.has(entry.name)) return "";
+  if (entry.kind != SceneFileEntry::Kind::section)
+    return fmt::format("there is no key \"{}\"; did you mean \"{}\"?", entry.name, settings.nearest(entry.name));
+  Settings sections;
+  for (const std::string& section : sections_of(settings))
+    sections.declare({.name = section, .value = false, .doc = "", .choices = {}});
+  if (sections.has(entry.name)) return "";
+  return fmt::format("there is no section [{}]; did you mean [{}]?", entry.name, sections.nearest(entry.name));
 }
 
 /// toml11's own message, which has file, line and caret; with a hint for the one clash our keys invite.
@@ -88,21 +108,16 @@ const std::string* SceneFile::text(const std::string& name) const {
 
 std::vector<std::string> SceneFile::apply(Settings& settings) const {
   std::vector<std::string> problems;
-  std::string unknown_section;
+  std::string skipped = "\n";  // what lies in an unknown section
   for (const SceneFileEntry& entry : entries_) {
-    if (is_scene_name(entry.name)) continue;
-    if (!unknown_section.empty() && entry.name.starts_with(unknown_section)) continue;
-    if (entry.kind == SceneFileEntry::Kind::section && !settings.has(entry.name)) {
-      if (has_section(settings, entry.name)) continue;
-      unknown_section = entry.name + ".";
-      const std::string nearest = settings.nearest(entry.name);
-      problems.push_back(message(entry, fmt::format("there is no section [{}]; the nearest key is \"{}\"", entry.name, nearest), false));
-    } else if (!settings.has(entry.name)) {
-      const std::string nearest = settings.nearest(entry.name);
-      problems.push_back(message(entry, fmt::format("there is no key \"{}\"; did you mean \"{}\"?", entry.name, nearest), false));
-    } else if (entry.kind != SceneFileEntry::Kind::value) {
-      problems.push_back(message(entry, fmt::format("{}: one number, string, true or false is wanted here", entry.name), true));
-    } else {
+    const bool section = entry.kind == SceneFileEntry::Kind::section;
+    if (is_scene_name(entry.name) || entry.name.starts_with(skipped)) continue;
+    if (const std::string problem = name_problem(entry, settings); !problem.empty()) {
+      problems.push_back(message(entry, problem, false));
+      if (section) skipped = entry.name + ".";
+    } else if (settings.has(entry.name) && entry.kind != SceneFileEntry::Kind::value) {
+      problems.push_back(message(entry, entry.name + ": one number, string, true or false is wanted here", true));
+    } else if (!section) {
       try {
         settings.set(entry.name, entry.value, Origin::file);
       } catch (const InputError& error) {
@@ -116,12 +131,7 @@ std::vector<std::string> SceneFile::apply(Settings& settings) const {
 std::string used_scene_file(const Settings& settings, const std::string& scene) {
   const char* origin[] = {"default", "the scene's choice", "from the scene file", "from the command line"};
   std::string text = fmt::format("[scene]\nname = \"{}\"\n", scene);
-  std::vector<std::string> sections{"scene"};
-  for (const Key& key : settings.keys()) {
-    const std::string section = key.name.substr(0, key.name.rfind('.'));
-    if (std::ranges::find(sections, section) == sections.end()) sections.push_back(section);
-  }
-  for (const std::string& section : sections) {
+  for (const std::string& section : sections_of(settings)) {
     if (section != "scene") text += fmt::format("\n[{}]\n", section);
     for (const Key& key : settings.keys()) {
       const auto dot = key.name.rfind('.');

@@ -16,7 +16,7 @@ struct Result {
 
 /// Runs `sphk ARGUMENTS` in `folder`.
 Result sphk_in(const std::filesystem::path& folder, const std::string& arguments) {
-  const std::string command = "cd '" + folder.string() + "' && '" SPHK_EXECUTABLE "' " + arguments + " 2>&1";
+  const std::string command = "cd '" + folder.string() + "' || exit 1; '" SPHK_EXECUTABLE "' " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   Result result;
   for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) result.text += static_cast<char>(c);

@@ -76,7 +76,7 @@ TEST_F(SceneFileTest, AllErrorsComeInOnePass) {
 TEST_F(SceneFileTest, AnUnknownSectionIsOneError) {
   const auto found = problems("[spc]\nkernel = \"cs\"\nneighbours = 3\n[sph]\nneighbours = 4\n");
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].find(":1:2: there is no section [spc]"), std::string::npos) << found[0];
+  EXPECT_NE(found[0].find(":1:2: there is no section [spc]; did you mean [sph]?"), std::string::npos) << found[0];
   EXPECT_EQ(settings.real("sph.neighbours"), 4);
 }
 

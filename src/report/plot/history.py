@@ -6,6 +6,7 @@ import numpy as np
 from style import LINES, MARKERS, plt, save
 
 DRIFTS = {"energy_drift": "energy", "momentum_drift": "momentum", "angular_momentum_drift": "angular momentum", "mass_drift": "mass"}
+SYMBOLS = {"v": "$v$", "rho": r"$\rho$", "P": "$P$"}
 ENERGIES = {"total_energy": "total", "kinetic_energy": "kinetic", "thermal_energy": "thermal"}
 
 
@@ -35,13 +36,13 @@ def draw_lines(axes, history, names, first=0, floor=-np.inf):
                   color=LINES[k % len(LINES)], label=label)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(r"time $t$")
-    axes.legend(loc="best")
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3, columnspacing=1.2, handlelength=1.6)
 
 
 def draw_history(history, title, path):
-    errors = {name: name[3:].replace("_", " ") for name in history if name.startswith("l1_")}
+    errors = {"l1_" + name: symbol for name, symbol in SYMBOLS.items() if "l1_" + name in history}
     panels = 3 if errors else 2
-    figure, axes = plt.subplots(1, panels, figsize=(5.4 * panels, 4.8), constrained_layout=True)
+    figure, axes = plt.subplots(1, panels, figsize=(5.6 * panels, 5.0), constrained_layout=True)
     drifts = {name: label for name, label in DRIFTS.items() if name in history}
     draw_lines(axes[0], history, drifts, first=1, floor=1e-17)
     axes[0].set_yscale("log")
