@@ -52,15 +52,21 @@ using Classic48Double = Gadget2<3, CubicSpline, double>;
 using Hoct442 = SphEntropy<3, Hoct<4>, float>;
 using Hoct442Double = SphEntropy<3, Hoct<4>, double>;
 
-BENCHMARK_TEMPLATE(cells, Classic48)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(density_loop<Classic48>, gadget2_cs_48_mixed, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(density_loop<Classic48Double>, gadget2_cs_48_double, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(density_loop<Hoct442>, sph_hoct4_442_mixed, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(density_loop<Hoct442Double>, sph_hoct4_442_double, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(rates_loop<Classic48>, gadget2_cs_48_mixed, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(rates_loop<Classic48Double>, gadget2_cs_48_double, 48.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(rates_loop<Hoct442>, sph_hoct4_442_mixed, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(rates_loop<Hoct442Double>, sph_hoct4_442_double, 442.0)->Unit(benchmark::kMillisecond)->UseRealTime();
+const auto registered = [] {
+  const auto add = [](const char* name, auto function, auto... arguments) {
+    benchmark::RegisterBenchmark(name, function, arguments...)->Unit(benchmark::kMillisecond)->UseRealTime();
+  };
+  add("cells", cells<Classic48>);
+  add("density_loop/gadget2_cs_48_mixed", density_loop<Classic48>, 48);
+  add("density_loop/gadget2_cs_48_double", density_loop<Classic48Double>, 48);
+  add("density_loop/sph_hoct4_442_mixed", density_loop<Hoct442>, 442);
+  add("density_loop/sph_hoct4_442_double", density_loop<Hoct442Double>, 442);
+  add("rates_loop/gadget2_cs_48_mixed", rates_loop<Classic48>, 48);
+  add("rates_loop/gadget2_cs_48_double", rates_loop<Classic48Double>, 48);
+  add("rates_loop/sph_hoct4_442_mixed", rates_loop<Hoct442>, 442);
+  add("rates_loop/sph_hoct4_442_double", rates_loop<Hoct442Double>, 442);
+  return true;
+}();
 
 }  // namespace
 }  // namespace sphk::bench

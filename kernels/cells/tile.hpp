@@ -74,21 +74,6 @@ struct Tile {
     return values;
   }
 
-  /// Appends the first `n` of eight particles listed in `index`, beginning at particle j0, relative to the frame.
-  template <class C>
-  KOKKOS_FORCEINLINE_FUNCTION void append(const C& columns, const Frame<D>& frame, int j0, const int* index, int n) {
-    for_each_type(FieldList{}, Appender<C>{*this, columns, frame, j0, index, n});
-    count += n;
-  }
-  /// Replaces the contents by the listed entries of another tile.
-  KOKKOS_FORCEINLINE_FUNCTION void assign(const Tile& from, const int* index, int n) {
-    for (int row = 0; row < rows; ++row) {
-      const T* source = from.data + row * stride;
-      T* to = data + row * stride;
-      for (int k = 0; k < n; ++k) to[k] = source[index[k]];
-    }
-    count = n;
-  }
   /// Fills up to a multiple of `width` with copies of the last entry moved out of everybody's reach.
   KOKKOS_FORCEINLINE_FUNCTION void pad(int width, T far_away) {
     while (count % width != 0) {
@@ -108,27 +93,6 @@ struct Tile {
     KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
       P* c = component_array<F>(values);
       for (int a = 0; a < components<F, D>; ++a) c[a] = sphk::load<P>(tile.template row<F>(a) + k);
-    }
-  };
-  template <class C>
-  struct Appender {
-    const Tile& tile;
-    const C& columns;
-    const Frame<D>& frame;
-    int j0;
-    const int* index;
-    int n;
-    template <class F>
-    KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
-      for (int a = 0; a < components<F, D>; ++a) {
-        T* to = tile.template row<F>(a) + tile.count;
-        const double* from = columns.template row<F>(a) + j0;
-        const double reference = frame.template reference<F>(a);
-        if (n == sub_cell_size)
-          for (int k = 0; k < sub_cell_size; ++k) to[k] = static_cast<T>(from[k] - reference);
-        else
-          for (int k = 0; k < n; ++k) to[k] = static_cast<T>(from[index[k]] - reference);
-      }
     }
   };
 };

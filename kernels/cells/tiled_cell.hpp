@@ -2,6 +2,7 @@
 
 #include "kernels/cells/pair.hpp"
 #include "kernels/cells/tile.hpp"
+#include "kernels/core/compress.hpp"
 
 namespace sphk {
 
@@ -21,7 +22,7 @@ class TiledCell {
   using Pack = simd<T, width>;
 
   static constexpr std::size_t scratch_bytes() {
-    return (2 * CellTile::entries + CellTile::capacity) * sizeof(T) + CellTile::capacity * sizeof(int) + 64;
+    return 2 * CellTile::entries * sizeof(T) + 64;
   }
 
   TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell)
@@ -29,8 +30,6 @@ class TiledCell {
     T* memory = reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(scratch) + 63) / 64 * 64);
     near_.data = memory;
     sub_.data = memory + CellTile::entries;
-    gap2_ = memory + 2 * CellTile::entries;
-    index_ = reinterpret_cast<int*>(gap2_ + CellTile::capacity);
     frame_ = Frame<D>::of(bounds(), columns, begin());
   }
 
@@ -67,66 +66,78 @@ class TiledCell {
     for (int d = 0; d < D; ++d) {
       const double lo = b.lo[d] - frame_.x[d], hi = b.hi[d] - frame_.x[d];
       centre[d] = static_cast<T>(0.5 * (lo + hi));
-      half[d] = static_cast<T>(0.5 * (hi - lo) * (1 + rounding));
+      half[d] = static_cast<T>(0.5 * (hi - lo));
     }
-    measure_gaps(centre, half);
-    const T reach2 = static_cast<T>(reach * reach * (1 + rounding));
-    int n = 0;
-    for (int k = 0; k < near_.count; ++k) {
-      index_[n] = k;
-      n += gap2_[k] < reach2;
+    sub_.count = 0;
+    for (int k = 0; k < near_.count; k += width) {
+      Pack x[D];
+      for (int d = 0; d < D; ++d) x[d] = sphk::load<Pack>(near_.template row<Position>(d) + k) - Pack(centre[d]);
+      Pack reach_of = static_cast<T>(reach);
+      if constexpr (mode == Reach::symmetric)
+        reach_of = sphk::max(reach_of, Pack(T(1)) / sphk::load<Pack>(near_.template row<InverseSupport>() + k));
+      const unsigned bits = within(x, half, reach_of) & first_lanes(near_.count - k);
+      const Compress<Pack> chosen(bits);
+      for (int row = 0; row < CellTile::rows; ++row) {
+        const int start = row * CellTile::stride;
+        chosen.store(sub_.data + start + sub_.count, sphk::load<Pack>(near_.data + start + k));
+      }
+      sub_.count += chosen.count();
     }
-    sub_.assign(near_, index_, n);
-    if (n > 0) sub_.pad(width, far_away(sub_));
+    if (sub_.count > 0) sub_.pad(width, far_away(sub_));
   }
 
  private:
-  static constexpr double rounding = 8 * std::numeric_limits<T>::epsilon();
+  /// Packs of at most a sub-cell, for the particles of one.
+  static constexpr int narrow = width < sub_cell_size ? width : sub_cell_size;
+  using NarrowPack = simd<T, narrow>;
+
+  static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
   double reach_with(double h) const { return mode == Reach::symmetric ? sphk::max(reach_, h) : reach_; }
 
-  /// Squared distance of every collected candidate from a box; where pairs are symmetric, zero inside its own support.
-  void measure_gaps(const T* centre, const T* half) {
-    const T* x[D];
-    for (int d = 0; d < D; ++d) x[d] = near_.template row<Position>(d);
-    const int n = near_.count;
-    const Pack zero(T(0));
-    for (int k = 0; k < n; k += width) {
-      Pack gap2 = zero;
-      for (int d = 0; d < D; ++d) {
-        const Pack gap = sphk::max(sphk::abs(sphk::load<Pack>(x[d] + k) - Pack(centre[d])) - Pack(half[d]), zero);
-        gap2 = gap2 + gap * gap;
-      }
-      if constexpr (mode == Reach::symmetric) {
-        const Pack h_inv = sphk::load<Pack>(near_.template row<InverseSupport>() + k);
-        gap2 = sphk::select(gap2 * h_inv * h_inv < Pack(T(1 + rounding)), zero, gap2);
-      }
-      sphk::store(gap2_ + k, gap2);
+  /// A bit a lane: does a particle at x come within `reach` of the box [-half, half]? Errs on the side of yes.
+  template <class P>
+  static unsigned within(const P* x, const T* half, const P& reach) {
+    P gap2 = P(T(0));
+    for (int d = 0; d < D; ++d) {
+      const P gap = sphk::max(sphk::abs(x[d]) - P(half[d]), P(T(0)));
+      gap2 = gap2 + gap * gap;
     }
+    constexpr T margin = 1 + 32 * std::numeric_limits<T>::epsilon();
+    return mask_bits(gap2 < reach * reach * P(margin));
   }
 
   /// Appends the particles of a sub-cell that come within reach of the cell.
   void append(int sub_cell, const double* shift) {
     const Frame<D> image = frame_.shifted(shift);
     const Bounds<D>& b = bounds();
+    T half[D];
+    for (int d = 0; d < D; ++d) half[d] = static_cast<T>(0.5 * (b.hi[d] - b.lo[d]));
     const int j0 = sub_cell * sub_cell_size, n = sphk::min(sub_cell_size, tree_.n - j0);
-    double gap2[sub_cell_size] = {};
-    for (int d = 0; d < D; ++d) {
-      const double* x = columns_.template row<Position>(d) + j0;
-      const double half = 0.5 * (b.hi[d] - b.lo[d]);
-      for (int k = 0; k < sub_cell_size; ++k) {
-        const double gap = sphk::max(sphk::abs(x[k] - image.x[d]) - half, 0.0);
-        gap2[k] += gap * gap;
-      }
+    for (int k = 0; k < n; k += narrow) {
+      NarrowPack x[D];
+      for (int d = 0; d < D; ++d) x[d] = load_relative_pack<Position>(d, image, j0 + k);
+      NarrowPack reach_of = static_cast<T>(reach_);
+      if constexpr (mode == Reach::symmetric)
+        reach_of = sphk::max(reach_of, load_relative_pack<Support>(0, image, j0 + k));
+      const Compress<NarrowPack> chosen(within(x, half, reach_of) & first_lanes(n - k));
+      if (chosen.count() == 0) continue;
+      for_each_type(FieldList{}, [&]<class F>() {
+        for (int c = 0; c < components<F, D>; ++c)
+          chosen.store(near_.template row<F>(c) + near_.count, load_relative_pack<F>(c, image, j0 + k));
+      });
+      near_.count += chosen.count();
     }
-    const double* h = columns_.template row<Support>() + j0;
-    int index[sub_cell_size], kept = 0;
-    for (int k = 0; k < n; ++k) {
-      const double distance = reach_with(h[k]);
-      index[kept] = k;
-      kept += gap2[k] < distance * distance * (1 + rounding);
-    }
-    near_.append(columns_, image, j0, index, kept);
+  }
+
+  /// A component of field F of the particles from j on, in T and relative to the frame.
+  template <class F>
+  NarrowPack load_relative_pack(int component, const Frame<D>& frame, int j) const {
+    const double* from = columns_.template row<F>(component) + j;
+    const double reference = frame.template reference<F>(component);
+    alignas(64) T relative[narrow];
+    for (int lane = 0; lane < narrow; ++lane) relative[lane] = static_cast<T>(from[lane] - reference);
+    return sphk::load<NarrowPack>(relative);
   }
 
   /// A place that no particle of the cell and no candidate reaches.
@@ -144,8 +155,6 @@ class TiledCell {
   Frame<D> frame_;
   double reach_ = 0;
   CellTile near_, sub_;
-  T* gap2_;
-  int* index_;
 };
 
 }  // namespace sphk

@@ -6,6 +6,16 @@
 namespace sphk {
 
 namespace detail {
+/// mu_ij = hs v_ij . r_ij/(r^2 + 0.01 hs^2) of an approaching pair, else 0; hs is half the mean support radius (Gingold &
+/// Monaghan 1983, GASOLINE's h).
+template <class P>
+KOKKOS_FORCEINLINE_FUNCTION P approach_mu(const auto& i, const auto& j, const auto& ij, const P& r) {
+  using T = lane_t<P>;
+  const P hs = P(T(0.25)) * (i.h + j.h);
+  const P approach = sphk::min(dot(i.v - j.v, ij.r_ij), P(T(0)));
+  return hs * approach / (r * r + P(T(0.01)) * hs * hs);
+}
+
 /// dv_i/dt = - m_j Pi_ij grad Wbar and its heat du_i/dt = (1/2) m_j Pi_ij v_ij . grad Wbar: what i loses j's heat gains.
 template <class P>
 KOKKOS_FORCEINLINE_FUNCTION void add_viscous_pair(auto& sum, const auto& i, const auto& j, const auto& ij,
@@ -30,12 +40,28 @@ struct ViscosityGingoldMonaghan {
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;
     using T = lane_t<P>;
-    const P hs = P(T(0.25)) * (i.h + j.h);
-    const P approach = sphk::min(dot(i.v - j.v, ij.r_ij), P(T(0)));
-    const P mu = hs * approach / (ij.r * ij.r + P(T(0.01)) * hs * hs);
+    const P mu = detail::approach_mu(i, j, ij, ij.r);
     // The halves of cbar, rho_ij and the mean Balsara factor: (1/2 . 1/2) / (1/2) and 1/2 / (1/2).
     const P Pi = mu * (P(T(beta)) * mu - P(T(0.5 * alpha)) * (i.c + j.c)) * (i.balsara + j.balsara) / (i.rho + j.rho);
     detail::add_viscous_pair(sum, i, j, ij, Pi);
+  }
+};
+
+/// What limits the time-step of that viscosity (Monaghan 1992, R10's Courant condition): v_max,i = 2 [(1 + alpha) c_i +
+/// beta max |mu_ij|], so that C h_i / v_max,i is C hs over the bracket. The self pair gives 2 (1 + alpha) c_i.
+struct SignalVelocityMonaghan {
+  static constexpr const char* name = "largest signal velocity, 2 ((1 + alpha) c + beta |mu|) (Monaghan 1992)";
+  using Reads = List<Position, InverseSupport, Velocity, SoundSpeed, Support>;
+  using Adds = List<MaxSignalVelocity>;
+  static constexpr int flops = 8;
+  double alpha, beta;
+  explicit SignalVelocityMonaghan(const Parameters& p) : alpha(p.alpha), beta(p.beta) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
+    using P = std::remove_cvref_t<decltype(i.c)>;
+    using T = lane_t<P>;
+    const P v_sig = P(T(2 * (1 + alpha))) * i.c - P(T(2 * beta)) * detail::approach_mu(i, j, ij, ij.r);
+    sum.v_sig = sphk::max(sum.v_sig, select(ij.q_min < P(T(1)), v_sig, P(T(0))));
   }
 };
 

@@ -33,7 +33,6 @@ class Noh : public Scene {
                       .choices = {}, .min = 1e-300});
     prefer_unless_set(settings, "time.end", 0.6);
     prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
-    prefer_unless_set(settings, "time.courant", 0.2);  // the error of rho triples at 0.4 in 1D
     adapt(settings);
   }
   void adapt(Settings& settings) const override {

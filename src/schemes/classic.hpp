@@ -14,16 +14,16 @@ using ClassicStep = Passes<KickDrift, SortedCells, SmoothingLength, StateEquatio
 /// SPH as in R10: no grad-h, Gingold & Monaghan's viscosity with the Balsara switch.
 template <int D, class K, class T>
 struct SphEntropy : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                           TermSet<PressureGradientSph, ViscosityGingoldMonaghan, SignalVelocity>, ClassicStep> {};
+                           TermSet<PressureGradientSph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
 template <int D, class K, class T>
 struct SphEnergy : Scheme<D, K, T, EnergyForm, ClassicDensity,
-                          TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan, SignalVelocity>,
+                          TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,
                           ClassicStep> {};
 
 /// TSPH, R10 Table 2: phi = rho in the momentum equation.
 template <int D, class K, class T>
 struct Tsph : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                     TermSet<PressureGradientTsph, ViscosityGingoldMonaghan, SignalVelocity>, ClassicStep> {};
+                     TermSet<PressureGradientTsph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
 
 /// Classic SPH as in GADGET-2 (Springel 2005): entropy, grad-h, signal-velocity viscosity with the Balsara switch.
 template <int D, class K, class T>

@@ -40,6 +40,9 @@ const Instantiation& choose(const SimulationSettings& settings, int dimension) {
                                fmt::join(scheme_names(), ", ")));
 }
 
+/// R10's Courant number for its time-step condition, S12's for that of the signal-velocity viscosity.
+double usual_courant(const std::string& scheme) { return scheme == "gadget2" ? 0.2 : 0.4; }
+
 double with_kernel_number(const std::string& kernel, double (*number)(double w0, double norm, int dimension), int dimension) {
   try {
     return with_kernel(kernel, [&](const auto& k) { return number(k.w(0.0), k.norm(dimension), dimension); });
@@ -76,7 +79,7 @@ void declare_engine_keys(Settings& settings) {
   settings.declare({"sph.h_max", 0.0, "largest support radius; 0: the diagonal of an open box, none in a periodic one", {}, 0, 1e300});
   settings.declare({"viscosity.alpha", 1.0, "linear viscosity", {}, 0, 100});
   settings.declare({"viscosity.beta", 2.0, "quadratic viscosity (schemes sph and tsph)", {}, 0, 100});
-  settings.declare({"time.courant", 0.4, "C of dt = C h / v_max", {}, 1e-6, 10});
+  settings.declare({"time.courant", 0.0, "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for gadget2", {}, 0, 10});
   settings.declare({"time.max_dt", 0.0, "largest time-step; 0: no limit", {}, 0, 1e300});
 }
 
@@ -87,7 +90,7 @@ SimulationSettings simulation_settings(const Settings& settings) {
           .energy = settings.text("sph.energy"),
           .neighbours = settings.real("sph.neighbours"),
           .gamma = settings.real("sph.gamma"),
-          .courant = settings.real("time.courant"),
+          .courant = settings.real("time.courant") > 0 ? settings.real("time.courant") : usual_courant(settings.text("sph.scheme")),
           .viscosity_alpha = settings.real("viscosity.alpha"),
           .viscosity_beta = settings.real("viscosity.beta"),
           .h_max = settings.real("sph.h_max"),

@@ -67,6 +67,14 @@ TEST(Terms, largest_signal_velocity) {
   EXPECT_NEAR((share<SignalVelocity, double, 1>(p.j, p.j).v_sig), 2 * std::sqrt(6.0), 1e-14) << "the self pair: 2 c";
 }
 
+TEST(Terms, largest_signal_velocity_of_monaghan) {
+  const TwoParticles<double, 1> p;
+  const Parameters parameters{.alpha = 1.5, .beta = 3};
+  const double mu = -1.875 / 2.265625, wanted = 2 * (2.5 * std::sqrt(2.0) - 3 * mu);
+  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.j, parameters).v_sig), wanted, rounding * wanted);
+  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, parameters).v_sig), 5 * std::sqrt(2.0), rounding * wanted);
+}
+
 TEST(Terms, zeroth_order_error) {
   const TwoParticles<double, 1> p;
   const double wanted = 2 * 2 / 0.25 * 2 * 0.5 * (dW_i_1d + dW_j_1d);
