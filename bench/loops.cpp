@@ -13,7 +13,7 @@ template <class S>
 Run<S> loaded(int n, double neighbours) {
   SimulationSettings settings;
   settings.neighbours = neighbours;
-  Run<S> run = load<S>(shaken_box(n), settings, typename S::Kernel{});
+  Run<S> run = load_run<S>(shaken_box(n), settings, typename S::Kernel{});
   StateEquation::run(run);
   return run;
 }

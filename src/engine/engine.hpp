@@ -21,7 +21,7 @@ class Engine final : public Simulation {
   static constexpr int count_interval = 50;  ///< steps between two counts of true neighbours
 
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
-      : run_{load<S>(particles, settings, kernel)},
+      : run_{load_run<S>(particles, settings, kernel)},
         origin_(particles.box),
         steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt) {

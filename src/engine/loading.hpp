@@ -89,7 +89,7 @@ inline double support_of_even_gas(const ParticleSet& particles, const Simulation
 
 /// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
 template <class S>
-Run<S> load(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
+Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
   constexpr int D = S::dimension;
   const int n = static_cast<int>(particles.size());
   Domain<D> domain{};

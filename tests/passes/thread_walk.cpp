@@ -18,7 +18,7 @@ struct ThreadWalkTest : testing::Test {
   static sphk::Run<S> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
-    auto run = load<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, CubicSpline{});
+    auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, CubicSpline{});
     StateEquation::run(run);
     return run;
   }
