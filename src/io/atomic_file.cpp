@@ -42,7 +42,8 @@ bool replace(const fs::path& path, const fs::path& temporary, std::string_view b
 void write_atomically(const fs::path& path, std::string_view bytes) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (std::error_code error; !fs::is_directory(folder, error))
-    throw InputError(fmt::format("{0}: there is no folder {1}; make it with: mkdir -p {1}", path.string(), folder.string()));
+    throw InputError(
+        fmt::format("{0}: there is no folder {1}; make it with: mkdir -p {1}", path.string(), folder.string()));
   const fs::path temporary = folder / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
   if (!replace(path, temporary, bytes)) {
     const std::string reason = std::strerror(errno);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <algorithm>
 
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
@@ -17,9 +17,9 @@ namespace {
 fs::path first_existing(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error)) return path;
-  const fs::path without = fs::path(path).replace_extension();
-  for (const fs::path& each : {fs::path(without.string() + ".0.hdf5"), fs::path(path.string() + ".0.hdf5")})
-    if (fs::exists(each, error)) return each;
+  const std::string without_extension = fs::path(path).replace_extension().string();
+  for (const std::string& name : {path.string(), without_extension})
+    if (const fs::path part = name + ".0.hdf5"; fs::exists(part, error)) return part;
   return path;
 }
 
@@ -37,16 +37,15 @@ std::vector<fs::path> file_parts(const fs::path& path) {
   const fs::path first = first_existing(path);
   const double count = number_of_parts(first);
   if (!(count > 1)) return {first};
-  static const std::regex pattern(R"((.*)\.(\d+)\.(hdf5|h5))");
-  std::smatch match;
-  const std::string name = first.filename().string();
-  if (!std::regex_match(name, match, pattern))
+  const fs::path stem = first.stem();  // "x.7" of x.7.hdf5
+  const std::string number = stem.extension().string();
+  if (number.size() < 2 || !std::all_of(number.begin() + 1, number.end(), [](char c) { return c >= '0' && c <= '9'; }))
     throw InputError(fmt::format("{}: its Header says that it is one of {:.0f} parts, but its name has no part number; "
                                  "name the parts x.0.hdf5, x.1.hdf5, ..., or set NumFilesPerSnapshot to 1",
                                  first.string(), count));
   std::vector<fs::path> parts;
   for (int i = 0; i < count; ++i) {
-    parts.push_back(first.parent_path() / fmt::format("{}.{}.{}", match[1].str(), i, match[3].str()));
+    parts.push_back(first.parent_path() / fmt::format("{}.{}{}", stem.stem().string(), i, first.extension().string()));
     if (std::error_code error; !fs::exists(parts.back(), error))
       throw InputError(fmt::format("{}: this part of a set of {:.0f} files is missing; put all parts into one folder",
                                    parts.back().string(), count));

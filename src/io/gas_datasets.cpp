@@ -79,7 +79,8 @@ std::vector<double> read_scalars(const hdf5::Dataset& dataset, std::size_t rows,
 std::vector<std::uint64_t> read_ids(const hdf5::Dataset& dataset, std::size_t rows) {
   columns_of(dataset, 1);
   require_rows(dataset, rows);
-  if (!dataset.is_integer()) throw InputError(dataset.where() + ": ids must be integers; write them as 64-bit integers");
+  if (!dataset.is_integer())
+    throw InputError(dataset.where() + ": ids must be integers; write them as 64-bit integers");
   if (!dataset.is_signed()) return dataset.read<std::uint64_t>();
   const auto values = dataset.read<std::int64_t>();  // HDF5 would turn negative numbers into 0 without a word
   const auto negative = std::find_if(values.begin(), values.end(), [](std::int64_t id) { return id < 0; });

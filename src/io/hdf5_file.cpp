@@ -32,13 +32,13 @@ std::string hdf5_reason() {
   throw InputError(reason.empty() ? message : fmt::format("{} (HDF5: {})", message, reason));
 }
 
-/// A plain integer or real of 1 to 8 bytes in either byte order: HDF5 1.10 writes past its own stack when a damaged file
-/// makes it convert from a type with absurd bit fields.
+/// A plain integer or real of 1 to 8 bytes in either byte order: HDF5 1.10 writes past its own stack when a damaged
+/// file makes it convert from a type with absurd bit fields.
 bool is_plain_number(hid_t type) {
-  for (const hid_t plain : {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE, H5T_STD_I16LE,
-                            H5T_STD_I32LE, H5T_STD_I64LE, H5T_STD_U8LE, H5T_STD_U16LE, H5T_STD_U32LE, H5T_STD_U64LE,
-                            H5T_STD_I8BE, H5T_STD_I16BE, H5T_STD_I32BE, H5T_STD_I64BE, H5T_STD_U8BE, H5T_STD_U16BE,
-                            H5T_STD_U32BE, H5T_STD_U64BE})
+  for (const hid_t plain :
+       {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE, H5T_STD_I16LE, H5T_STD_I32LE,
+        H5T_STD_I64LE, H5T_STD_U8LE, H5T_STD_U16LE, H5T_STD_U32LE, H5T_STD_U64LE, H5T_STD_I8BE, H5T_STD_I16BE,
+        H5T_STD_I32BE, H5T_STD_I64BE, H5T_STD_U8BE, H5T_STD_U16BE, H5T_STD_U32BE, H5T_STD_U64BE})
     if (H5Tequal(type, plain) > 0) return true;
   return false;
 }
@@ -251,7 +251,8 @@ File File::create() {
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.get(), increment, false);
-  Handle id(H5Fcreate(fmt::format("file {} in memory", ++made).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  const std::string name = fmt::format("file {} in memory", ++made);
+  Handle id(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
   if (id.get() < 0) refuse(hdf5_reason(), "no HDF5 file can be made in memory");
   return File(std::move(id));
 }

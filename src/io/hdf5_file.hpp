@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-/// A thin owner of HDF5's C API: only what snapshots need. Every failure is an InputError that names the file, the object
-/// and HDF5's own reason; HDF5 itself prints nothing.
+/// A thin owner of HDF5's C API: only what snapshots need. Every failure is an InputError that names the file, the
+/// object and HDF5's own reason; HDF5 itself prints nothing.
 namespace sphk::hdf5 {
 
 template <class T>
@@ -122,7 +122,7 @@ class Group : public Object {
   Group create_group(const std::string& name);
   Dataset dataset(const std::string& name) const;
 
-  /// Writes `values`, of shape rows x columns, or one-dimensional when columns is 0; gzip with shuffle when `compressed`.
+  /// Writes `values`, of shape rows x columns, or one-dimensional when columns is 0; gzip and shuffle if `compressed`.
   template <Number T>
   Dataset write(const std::string& name, std::span<const T> values, hsize_t columns = 0, bool compressed = false) {
     return write_dataset(name, native_type<T>(), values.data(), values.size() / (columns ? columns : 1), columns,

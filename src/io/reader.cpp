@@ -72,8 +72,8 @@ void Reader::add_part(const hdf5::File& file) {
   const GasDatasets part =
       read_gas(file.group("PartType0"), numbers_or(header, "MassTable", {0.0})[0], non_finite_);
   if (!counts.empty() && counts[0] != static_cast<double>(part.x.size()))
-    throw InputError(fmt::format("{}: NumPart_ThisFile says {:.0f} gas particles, PartType0/Coordinates has {}; correct "
-                                 "the attribute or write the file again",
+    throw InputError(fmt::format("{}: NumPart_ThisFile says {:.0f} gas particles, PartType0/Coordinates has {}; "
+                                 "correct the attribute or write the file again",
                                  header.where(), counts[0], part.x.size()));
   gas_.columns = part.columns;
   append(gas_.x, part.x);
@@ -101,8 +101,9 @@ void Reader::read_first(const hdf5::File& file) {
 
 void Reader::refuse_other_physics(const hdf5::File& file, const hdf5::Group& header) const {
   if (file.has("Cosmology") && number_or(file.group("Cosmology"), "Cosmological run", 0) != 0)
-    throw InputError(where_ + ": the file is in comoving units of a cosmological run, which sphk does not know; convert "
-                              "it to physical units and set the attribute \"Cosmological run\" of Cosmology to 0");
+    throw InputError(where_ + ": the file is in comoving units of a cosmological run, which sphk does not know; "
+                              "convert it to physical units and set the attribute \"Cosmological run\" of Cosmology "
+                              "to 0");
   if (number_or(header, "Flag_Entropy_ICs", 0) != 0)
     throw InputError(header.where() + ": Flag_Entropy_ICs says that InternalEnergy holds entropies; write specific "
                                       "thermal energies and set the flag to 0");
@@ -115,7 +116,11 @@ void Reader::read_box(const hdf5::File& file, const hdf5::Group& header) {
     const auto lower = own.numbers("BoxLower"), size = own.numbers("BoxSize"), periodic = own.numbers("Periodic");
     if (lower.size() != 3 || size.size() != 3 || periodic.size() != 3)
       throw InputError(own.where() + ": BoxLower, BoxSize and Periodic must have 3 values; write the file again");
-    for (std::size_t k = 0; k < 3; ++k) box.lower[k] = lower[k], box.size[k] = size[k], box.periodic[k] = periodic[k] != 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.lower[k] = lower[k];
+      box.size[k] = size[k];
+      box.periodic[k] = periodic[k] != 0;
+    }
     dimension_ = number_or(own, "Dimension", 3);
     result_.own_snapshot = true;
     return;
@@ -150,14 +155,22 @@ void Reader::set_dimension() {
     throw InputError(fmt::format("{}: Dimension is {}, but Coordinates has {} columns; they must agree", where_, wanted,
                                  gas_.columns));
   const int dimension = result_.particles.dimension = static_cast<int>(wanted);
-  std::size_t dropped = 0;
-  for (std::size_t i = 0; i < gas_.x.size(); ++i)
+  const auto flatten = [dimension](Array3& a) {
+    bool changed = false;
     for (auto k = static_cast<std::size_t>(dimension); k < 3; ++k) {
-      dropped += gas_.x[i][k] != 0 || gas_.v[i][k] != 0;
-      gas_.x[i][k] = gas_.v[i][k] = 0;
+      changed |= a[k] != 0;
+      a[k] = 0;
     }
+    return changed;
+  };
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < gas_.x.size(); ++i) {
+    const bool x_changed = flatten(gas_.x[i]), v_changed = flatten(gas_.v[i]);
+    dropped += x_changed || v_changed;
+  }
   if (dropped)
-    remark(fmt::format("{} numbers of Coordinates and Velocities beyond {} dimensions were set to 0", dropped, dimension));
+    remark(fmt::format("{} rows of Coordinates and Velocities were not 0 beyond {} dimensions and now are", dropped,
+                       dimension));
 }
 
 void Reader::set_box() {
@@ -184,7 +197,7 @@ void Reader::set_box() {
 void Reader::fill_gaps() {
   const std::size_t n = gas_.x.size();
   if (!gas_.id.empty() && gas_.id.size() != n)
-    throw InputError(where_ + ": some parts of the file set have ParticleIDs and some have not; add or remove them all");
+    throw InputError(where_ + ": some parts of the file set have ParticleIDs, some have not; add or remove them all");
   if (gas_.id.empty() && n > 0) {
     gas_.id.resize(n);
     std::iota(gas_.id.begin(), gas_.id.end(), std::uint64_t{1});

@@ -21,9 +21,9 @@ struct ReadResult {
 enum class NonFinite { refuse, keep };
 
 /// Reads the gas of an HDF5 file: initial conditions of SWIFT, GADGET-2/4 and GIZMO, and sphk's own snapshots. Singular
-/// and plural names, any number type, (N), (N,1), (N,2) and (N,3) shapes, MassTable, several files (x.0.hdf5: any of the
-/// parts, or x.hdf5, may be named) are taken as they come; missing ids are made, missing h is left empty. Rows stay in
-/// the file's order. Throws InputError naming file, dataset and index, and the way to mend it.
+/// and plural names, any number type, (N), (N,1), (N,2) and (N,3) shapes, MassTable, several files (x.0.hdf5: any of
+/// the parts, or x.hdf5, may be named) are taken as they come; missing ids are made, missing h is left empty. Rows stay
+/// in the file's order. Throws InputError naming file, dataset and index, and the way to mend it.
 ReadResult read_particles(const std::filesystem::path& path, NonFinite non_finite = NonFinite::refuse);
 
 }  // namespace sphk

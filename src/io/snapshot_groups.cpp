@@ -24,10 +24,32 @@ std::vector<T> gas_only(T count) {
 
 std::vector<double> to_vector(const Array3& a) { return {a.begin(), a.end()}; }
 
-/// Periodic for readers that know one flag: every axis that exists is.
-bool periodic(const Snapshot& snapshot) {
-  return std::all_of(snapshot.box.periodic.begin(), snapshot.box.periodic.begin() + snapshot.dimension,
-                     [](bool axis) { return axis; });
+/// The box as readers of SWIFT files know it: it begins at 0, and all axes are periodic or none is.
+struct ReadersBox {
+  Array3 size;
+  bool periodic = false;
+};
+
+/// Particles of an open box that are not in [0, size) would not exist for yt, whose domain that is; it finds them where
+/// the box is periodic. Such a box is called periodic then, and made so wide that no particle sees another's image.
+ReadersBox readers_box(const Snapshot& snapshot) {
+  ReadersBox out{snapshot.box.size};
+  const std::vector<double>& x = snapshot.field("Coordinates").values;
+  const auto dimension = static_cast<std::size_t>(snapshot.dimension);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    out.periodic |= i % 3 < dimension && !(x[i] >= 0 && x[i] <= out.size[i % 3]);
+  for (std::size_t k = 0; k < dimension; ++k) out.periodic |= snapshot.box.periodic[k];
+  if (!out.periodic || x.empty()) return out;
+  double h_max = 0;
+  if (snapshot.has("SmoothingLength"))
+    for (const double h : snapshot.field("SmoothingLength").values) h_max = std::max(h_max, h);
+  for (std::size_t k = 0; k < dimension; ++k) {
+    if (snapshot.box.periodic[k]) continue;
+    double low = x[k], high = x[k];
+    for (std::size_t i = k; i < x.size(); i += 3) low = std::min(low, x[i]), high = std::max(high, x[i]);
+    out.size[k] = std::max(out.size[k], high - low + 2 * h_max);
+  }
+  return out;
 }
 
 std::string now() {
@@ -39,7 +61,7 @@ std::string now() {
   return text;
 }
 
-void write_header(hdf5::Group header, const Snapshot& snapshot, const SnapshotInfo& info) {
+void write_header(hdf5::Group header, const Snapshot& snapshot, const Array3& box_size, const SnapshotInfo& info) {
   const auto n = static_cast<std::int64_t>(snapshot.size());
   header.set("Code", "SWIFT");  // the layout's tag: yt looks for nothing else
   header.set("Generator", "sphk");
@@ -47,7 +69,7 @@ void write_header(hdf5::Group header, const Snapshot& snapshot, const SnapshotIn
   header.set("SnapshotDate", now());
   header.set("OutputType", "FullVolume");
   header.set("SelectOutput", "Default");
-  header.set("BoxSize", to_vector(snapshot.box.size));
+  header.set("BoxSize", to_vector(box_size));
   header.set("Shift", std::vector<double>(3, 0.0));
   header.set("Time", snapshot.time);
   header.set("Redshift", 0.0);
@@ -73,8 +95,8 @@ void write_units(hdf5::Group units) {
     units.set(fmt::format("Unit {}", unit), 1.0);
 }
 
-void write_parameters(hdf5::Group parameters, const Snapshot& snapshot, const Settings& settings) {
-  parameters.set("InitialConditions:periodic", periodic(snapshot) ? "1" : "0");
+void write_parameters(hdf5::Group parameters, bool periodic, const Settings& settings) {
+  parameters.set("InitialConditions:periodic", periodic ? "1" : "0");
   for (const Key& key : settings.keys()) {
     std::string name = key.name;
     std::replace(name.begin(), name.end(), '.', ':');
@@ -134,14 +156,15 @@ void write_own_group(hdf5::Group own, const Snapshot& snapshot, const SnapshotIn
 }  // namespace
 
 void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotInfo& info) {
-  write_header(file.create_group("Header"), snapshot, info);
+  const ReadersBox box = readers_box(snapshot);
+  write_header(file.create_group("Header"), snapshot, box.size, info);
   write_units(file.create_group("Units"));
   write_units(file.create_group("InternalCodeUnits"));
   file.create_group("Policy").set("cosmological integration", std::int32_t{0});
-  file.create_group("RuntimePars").set("PeriodicBoundariesOn", std::int32_t{periodic(snapshot)});
+  file.create_group("RuntimePars").set("PeriodicBoundariesOn", std::int32_t{box.periodic});
   file.create_group("Cosmology").set("Cosmological run", std::int32_t{0});
   file.create_group("SubgridScheme");
-  write_parameters(file.create_group("Parameters"), snapshot, info.settings);
+  write_parameters(file.create_group("Parameters"), box.periodic, info.settings);
   write_hydro_scheme(file.create_group("HydroScheme"), snapshot, info);
   write_code(file.create_group("Code"), info);
   write_own_group(file.create_group("sphk"), snapshot, info);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "src/engine/errors.hpp"
@@ -133,10 +132,11 @@ void write_fields(const std::filesystem::path& path, const ParticleSet& particle
 }
 
 void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries) {
-  nlohmann::ordered_json series{{"file-series-version", "1.0"}, {"files", nlohmann::ordered_json::array()}};
-  for (const SeriesEntry& entry : entries)
-    series["files"].push_back(nlohmann::ordered_json{{"name", entry.name}, {"time", entry.time}});
-  write_atomically(folder / "run.hdf.series", series.dump(1) + '\n');
+  std::string files;
+  for (const auto& [name, time] : entries)
+    files += fmt::format("{}\n    {{\"name\": \"{}\", \"time\": {}}}", files.empty() ? "" : ",", name, time);
+  write_atomically(folder / "run.hdf.series",
+                   fmt::format("{{\n  \"file-series-version\": \"1.0\",\n  \"files\": [{}\n  ]\n}}\n", files));
 }
 
 }  // namespace sphk

@@ -31,17 +31,17 @@ enum class Compression { none, gzip };
 
 /// Writes `snapshot` as one HDF5 file that yt, pynbody, swiftsimio, SPLASH and ParaView open: SWIFT's layout, GADGET's
 /// singular names and a /VTKHDF group as hard links. Lengths, masses and times are in code units, which count as cgs.
-/// The file appears under its name only when it is complete and on the disk. Throws InputError when the folder cannot be
-/// written, the disk is full, or a field does not have `snapshot.size()` rows.
+/// The file is built in memory and appears under its name only when it is complete and on the disk. Throws InputError
+/// when the folder cannot be written, the disk is full, or a field does not have `snapshot.size()` rows.
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
                     Compression compression = Compression::none);
 
-/// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates in a file laid out like
-/// a snapshot: the output of `sphk rates`. `gamma` is the adiabatic index. Errors as for write_snapshot.
+/// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates in a file laid out
+/// like a snapshot: the output of `sphk rates`. `gamma` is the adiabatic index. Errors as for write_snapshot.
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
                   double gamma, const SnapshotInfo& info);
 
-/// One snapshot of a run: its file name within the folder and its time.
+/// One snapshot of a run: its file name within the folder, free of quotes and backslashes, and its time.
 struct SeriesEntry {
   std::string name;
   double time = 0;

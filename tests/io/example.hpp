@@ -17,8 +17,8 @@ namespace sphk {
 Snapshot example_snapshot(int dimension, std::size_t n);
 SnapshotInfo example_info();
 
-/// An initial condition of n gas particles as a plain script would write it: GADGET's names, Header and PartType0 only. In memory:
-/// to be changed, then saved.
+/// An initial condition of n gas particles as a plain script would write it: GADGET's names, Header and PartType0 only.
+/// In memory: to be changed, then saved.
 struct ExampleIc {
   std::size_t n = 8;
   int columns = 3;

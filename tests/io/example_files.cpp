@@ -1,4 +1,4 @@
-// io_example write FILE DIMENSION: an example snapshot. io_example read FILE: the gas of FILE as text, a row a particle.
+// io_example write FILE DIMENSION: an example snapshot. io_example read FILE: the gas of FILE as text, one row each.
 // For layout.py, which looks at files with h5py instead of our own HDF5 layer.
 #include <cstdio>
 #include <cstdlib>

@@ -17,7 +17,7 @@ TEST_F(Info, OwnSnapshot) {
   EXPECT_TRUE(mentions(text, {"snap.hdf5: sphk snapshot", "0.33333333", "step        17", "dimension   2",
                               "[0.2, 1.7) periodic x [0.1, 1.6) periodic", "sph, kernel cs, 48 neighbours", "1.4",
                               "4 particles (PartType0)", "Density", "another name of", "Coordinates.x"}));
-  EXPECT_TRUE(mentions(text, {"Densities                                1             3             6  (1 not finite)"}));
+  EXPECT_TRUE(mentions(text, {"Densities" + std::string(32, ' ') + "1             3             6  (1 not finite)"}));
 }
 
 TEST_F(Info, InitialConditionWithOtherTypes) {
@@ -26,8 +26,9 @@ TEST_F(Info, InitialConditionWithOtherTypes) {
   header.set("BoxSize", 2.0);
   header.set("NumPart_ThisFile", std::vector<int>{0, 12, 0, 0, 3, 0, 5});
   made.save(file("ic.hdf5"));
-  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"SWIFT and GADGET", "12 particles (PartType1)", "dark matter", "stars",
-                                                    "5 particles (PartType6)", "no run can start from it", "no gas"}));
+  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")),
+                       {"SWIFT and GADGET", "12 particles (PartType1)", "dark matter", "stars",
+                        "5 particles (PartType6)", "no run can start from it", "no gas"}));
 }
 
 TEST_F(Info, RemarksOfTheReaderAreShown) {

@@ -29,7 +29,7 @@ ATTRIBUTES = {  # group: {attribute: (type, shape)}; () is a scalar, as SWIFT ha
     "RuntimePars": {"PeriodicBoundariesOn": ("i4", (1,))},
     "Cosmology": {"Cosmological run": ("i4", (1,))},
     "SubgridScheme": {},
-    "Parameters": {"InitialConditions:periodic": (STRING, ()), "sph:kernel": (STRING, ()), "time:courant": (STRING, ())},
+    "Parameters": dict.fromkeys(["InitialConditions:periodic", "sph:kernel", "time:courant"], (STRING, ())),
     "HydroScheme": {
         **dict.fromkeys(["Scheme", "Kernel function"], (STRING, ())),
         **dict.fromkeys(["Adiabatic index", "Kernel eta", "Kernel gamma", "Kernel target N_ngb", "CFL parameter"],

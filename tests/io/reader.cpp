@@ -50,7 +50,8 @@ TEST_F(Reader, PlainGadgetFile) {
   EXPECT_TRUE(p.h.empty());
   EXPECT_FALSE(result.gamma);
   EXPECT_FALSE(result.own_snapshot);
-  for (const char* part : {"Units", "periodic", "ParticleIDs", "smoothing lengths"}) EXPECT_TRUE(remarked(result, part));
+  for (const char* part : {"Units", "periodic", "ParticleIDs", "smoothing lengths"})
+    EXPECT_TRUE(remarked(result, part)) << part;
 }
 
 TEST_F(Reader, ColumnsOfCoordinatesGiveTheDimension) {

@@ -52,8 +52,25 @@ TEST_F(SnapshotWriter, PeriodicAxesAreKeptOneByOne) {
   s.box.periodic = {true, false, true};
   write_snapshot(file("snap.hdf5"), s, example_info());
   EXPECT_EQ(read_particles(file("snap.hdf5")).particles.box.periodic, s.box.periodic);
-  const auto file_ = hdf5::File::open(file("snap.hdf5"));
-  EXPECT_EQ(file_.group("RuntimePars").numbers("PeriodicBoundariesOn"), std::vector<double>{0});
+}
+
+/// Readers take the box to begin at 0: they find what lies elsewhere in a periodic box only, wide enough here for the
+/// extent of the particles, 3, and a support of 0.25 on either side.
+TEST_F(SnapshotWriter, OpenBoxesAreWrittenSoThatReadersSeeEveryParticle) {
+  Snapshot s = example_snapshot(1, 2);
+  s.box = {{-2, 0, 0}, {2, 1, 1}, {false, false, false}};
+  s.fields[6].values = {0.25, 0.125};  // SmoothingLength
+  const auto written = [&](double x0, double x1) {
+    s.fields[0].values = {x0, 0, 0, x1, 0, 0};
+    write_snapshot(file("snap.hdf5"), s, example_info());
+    EXPECT_EQ(read_particles(file("snap.hdf5")).particles.box.periodic, s.box.periodic);
+    const auto made = hdf5::File::open(file("snap.hdf5"));
+    return std::pair(made.group("Header").numbers("BoxSize")[0],
+                     made.group("RuntimePars").numbers("PeriodicBoundariesOn")[0]);
+  };
+  EXPECT_EQ(written(0.5, 1.5), std::pair(2.0, 0.0));
+  EXPECT_EQ(written(-1.5, 0.25), std::pair(2.25, 1.0));
+  EXPECT_EQ(written(-1.5, 1.5), std::pair(3.5, 1.0));
 }
 
 TEST_F(SnapshotWriter, CompressionMakesRegularFieldsSmaller) {
@@ -140,7 +157,7 @@ TEST_F(SnapshotWriter, SeriesNamesEverySnapshotWithItsTime) {
   std::ifstream stream(file("run.hdf.series"));
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
-  EXPECT_EQ(text, R"({"file-series-version":"1.0","files":[{"name":"snap_0000.hdf5","time":0.0},)"
+  EXPECT_EQ(text, R"({"file-series-version":"1.0","files":[{"name":"snap_0000.hdf5","time":0},)"
                   R"({"name":"snap_0001.hdf5","time":0.125}]})");
 }
 
