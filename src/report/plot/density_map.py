@@ -2,6 +2,7 @@
 
 import numpy as np
 from matplotlib.colors import LogNorm, Normalize
+from matplotlib.ticker import FuncFormatter, LogLocator
 from mpl_toolkits.axes_grid1 import make_axes_locatable
 from style import LABELS, plt, save
 
@@ -26,11 +27,21 @@ def slice_of(snapshot):
     return z[near], snapshot.x[near, :2], rho[near], radius[near]
 
 
-def density_image(snapshot):
-    """The image, row 0 at the bottom; pixels that no particle reaches are NaN."""
+def frame(snapshot):
+    """Lower corner and size of the picture: the box along periodic axes, the extent of the gas along open ones."""
     item = snapshot.item
-    z, x, rho, radius = slice_of(snapshot)
     lower, size = np.array(item["box_lower"][:2]), np.array(item["box_size"][:2])
+    for axis in range(2):
+        if not item["periodic"][axis]:
+            low, high = snapshot.x[:, axis].min(), snapshot.x[:, axis].max()
+            margin = 0.04 * max(high - low, 1e-6 * size[axis])
+            lower[axis], size[axis] = low - margin, high - low + 2 * margin
+    return lower, size
+
+
+def density_image(snapshot, lower, size):
+    """The image, row 0 at the bottom; pixels that no particle reaches are NaN."""
+    z, x, rho, radius = slice_of(snapshot)
     pixel = size.max() / PIXELS
     shape = np.maximum(1, np.round(size / pixel).astype(int))
     sums, weights = np.zeros(shape[0] * shape[1]), np.zeros(shape[0] * shape[1])
@@ -53,12 +64,12 @@ def density_image(snapshot):
 
 def draw_density_map(snapshot, path):
     item = snapshot.item
-    image = density_image(snapshot)
+    lower, size = frame(snapshot)
+    image = density_image(snapshot, lower, size)
     low, high = np.nanmin(image), np.nanmax(image)
     middle = 0.5 * (low + high)
     spread = max(high - low, 1e-3 * abs(middle))
     norm = LogNorm(low, high) if low > 0 and high > 20 * low else Normalize(middle - spread / 2, middle + spread / 2)
-    lower, size = item["box_lower"], item["box_size"]
     shape = min(max(size[1] / size[0], 0.25), 2.0)
     figure, axes = plt.subplots(figsize=(7.4, 5.6 * shape + 1.5), constrained_layout=True)
     picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
@@ -66,8 +77,13 @@ def draw_density_map(snapshot, path):
     axes.grid(False)
     axes.set_xlabel("$x$")
     axes.set_ylabel("$y$")
-    where = "" if item["dimension"] < 3 else f", slice at z = {lower[2] + 0.5 * size[2]:.3g}"
+    middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
+    where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
     axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
     bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
-    figure.colorbar(picture, cax=bar, label=LABELS["rho"])
+    logarithmic = isinstance(norm, LogNorm)
+    scale = {"ticks": LogLocator(subs=(1, 2, 5)), "format": FuncFormatter(lambda value, _: f"{value:g}")} if logarithmic else {}
+    figure.colorbar(picture, cax=bar, label=LABELS["rho"], **scale)
+    if logarithmic:
+        bar.minorticks_off()
     save(figure, path)

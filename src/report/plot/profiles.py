@@ -33,7 +33,7 @@ def draw_panel(axes, snapshot, name, error):
     inside = (s >= low) & (s < high) & np.isfinite(y)
     s, y = s[inside], y[inside]
     shown = slice(None) if len(s) <= MOST_POINTS else np.random.default_rng(1).choice(len(s), MOST_POINTS, replace=False)
-    axes.plot(s[shown], y[shown], ".", ms=3, color=PARTICLES, mew=0, rasterized=True, label="particles")
+    axes.plot(s[shown], y[shown], ".", ms=5 if len(s) < 3000 else 3, color=PARTICLES, mew=0, rasterized=True, label="particles")
     heights = list(y)
     if len(s):
         axes.plot(*bin_means(s, y, low, high), "o", ms=5, mfc="white", mec=MEAN, mew=1.3, label="mean in bins")
