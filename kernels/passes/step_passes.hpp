@@ -5,7 +5,8 @@
 
 namespace sphk {
 
-/// Boxes of the cells; every ten steps the particles are sorted in space again.
+/// Boxes of the cells; every ten steps, and when a particle strays half a period out of a periodic box, the particles are
+/// sorted in space again and wrapped.
 struct SortedCells {
   static constexpr const char* name = "cells";
   static constexpr int sort_interval = 10;
@@ -14,9 +15,20 @@ struct SortedCells {
   static void run(Run<S>& run) {
     auto& state = run.state;
     fit(state.tree, state.columns);
-    if (run.step % sort_interval != 0) return;
-    run.sorter(state.columns, state.ids, state.tree.domain, bounds_of_all(state.tree));
+    const auto all = bounds_of_all(state.tree);
+    if (run.step % sort_interval != 0 && !strayed(state.tree.domain, all)) return;
+    run.sorter(state.columns, state.ids, state.tree.domain, all);
     fit(state.tree, state.columns);
+  }
+
+ private:
+  template <int D>
+  static bool strayed(const Domain<D>& domain, const Bounds<D>& all) {
+    for (int d = 0; d < D; ++d) {
+      const double period = domain.period[d], middle = domain.lower[d] + 0.5 * period;
+      if (period > 0 && !(all.lo[d] > middle - period && all.hi[d] < middle + period)) return true;
+    }
+    return false;
   }
 };
 

@@ -66,7 +66,17 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
 
 }  // namespace detail
 
-/// Largest support radius of a run: the setting, or the box's diagonal where an axis is open, or none.
+/// The support radius if the particles filled their box evenly.
+inline double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {
+  const int D = particles.dimension;
+  double volume = 1;
+  for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
+  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
+  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
+}
+
+/// Largest support radius of a run: the setting; or the box's diagonal where an axis is open; or, in a periodic box, what the
+/// N_n-th image is nearer than wherever the particles are.
 inline double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
   if (settings.h_max > 0) return settings.h_max;
   double diagonal2 = 0;
@@ -75,16 +85,8 @@ inline double support_cap(const ParticleSet& particles, const SimulationSettings
     diagonal2 += particles.box.size[d] * particles.box.size[d];
     open = open || !particles.box.periodic[d];
   }
-  return open ? std::sqrt(diagonal2) : 1e300;
-}
-
-/// The support radius if the particles filled their box evenly.
-inline double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {
-  const int D = particles.dimension;
-  double volume = 1;
-  for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
-  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
+  const double diagonal = std::sqrt(diagonal2);
+  return open ? diagonal : diagonal + 2 * support_of_even_gas(particles, settings);
 }
 
 /// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
