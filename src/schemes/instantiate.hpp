@@ -2,6 +2,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "kernels/smoothing/tabulated.hpp"
+#include "kernels/terms/pressure_gradient.hpp"
 #include "src/engine/engine.hpp"
 #include "src/schemes/instantiation.hpp"
 
@@ -30,6 +31,13 @@ SchemeDescription describe_scheme() {
   [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(typename S::Steps{});
   for_each_type(typename S::RateTerms::List{}, [&]<class T>() { description.terms.emplace_back(T::name); });
   for_each_type(typename S::Fields{}, [&]<class F>() { description.fields.emplace_back(F::name); });
+  using Writes = typename S::Steps::Writes;
+  for_each_type(Writes{}, [&]<class F>() {
+    if constexpr (!contains<F, typename S::Fields>)
+      description.left_out.push_back(std::string(F::name) + ": no term of this scheme reads them");
+  });
+  if constexpr (!contains<PressureWork, typename S::RateTerms::List>)
+    description.left_out.push_back("pressure work: the entropy function changes by dissipation alone");
   description.bytes_per_particle = bytes_per_particle<S>;
   description.flops_per_pair = flops_per_pair<S>();
   return description;

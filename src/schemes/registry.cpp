@@ -76,7 +76,7 @@ void declare_engine_keys(Settings& settings) {
   settings.declare({"sph.precision", "mixed", "pair arithmetic: float with double state and sums, or double", {"mixed", "double"}});
   settings.declare({"sph.energy", "entropy", "integrated thermal variable", {"entropy", "energy"}});
   settings.declare({"sph.gamma", 5.0 / 3, "adiabatic index", {}, 1.0000001, 100});
-  settings.declare({"sph.h_max", 0.0, "largest support radius; 0: the diagonal of an open box, none in a periodic one", {}, 0, 1e300});
+  settings.declare({"sph.h_max", 0.0, "largest support radius; 0: the diagonal of an open box, no limit that matters in a periodic one", {}, 0, 1e300});
   settings.declare({"viscosity.alpha", 1.0, "linear viscosity", {}, 0, 100});
   settings.declare({"viscosity.beta", 2.0, "quadratic viscosity (schemes sph and tsph)", {}, 0, 100});
   settings.declare({"time.courant", 0.0, "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for gadget2", {}, 0, 10});
