@@ -1,14 +1,10 @@
-// What must not change a result: the number of threads, the order of the input, a shift, a boost, float against double pairs.
+// What must not change a result: the order of the input, a boost, float against double pairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include "src/schemes/registry.hpp"
 #include "tests/engine/brute_force.hpp"
@@ -42,22 +38,6 @@ double difference(const Snapshot& a, const Snapshot& b, const std::string& name)
     scale = std::max(scale, std::abs(x[k]));
   }
   return most / scale;
-}
-
-/// Every particle's sums are made by one thread in an order set by the cells, so results agree to the last bit.
-TEST(Invariance, one_thread_and_two_give_the_same_bits) {
-#ifdef _OPENMP
-  const ParticleSet gas = shaken_lattice(3, {12, 11, 10}, 0.3, true, 8);
-  const Snapshot two = after_steps(gas, settings_of("mixed"), 12);
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const Snapshot one = after_steps(gas, settings_of("mixed"), 12);
-  omp_set_num_threads(threads);
-  EXPECT_EQ(one.time, two.time);
-  for (const Field& field : one.fields) EXPECT_EQ(field.values, two.field(field.name).values) << field.name;
-#else
-  GTEST_SKIP() << "built without OpenMP";
-#endif
 }
 
 TEST(Invariance, order_of_the_input_changes_roundings_alone) {

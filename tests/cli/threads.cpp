@@ -1,0 +1,37 @@
+// Every particle's sums are made by one thread, in an order that the cells set: one thread and two give the same bits.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "src/io/reader.hpp"
+#include "tests/report/temporary_folder.hpp"
+
+namespace sphk {
+namespace {
+
+ParticleSet end_of_run(const std::filesystem::path& folder, const std::string& precision, int threads) {
+  const std::string out = (folder / (precision + std::to_string(threads))).string();
+  const std::string command = "env -u OMP_NUM_THREADS '" SPHK_EXECUTABLE "' run uniform -n 14 --scheme gadget2 --steps 12 "
+                              "--set scene.lattice=cubic --set scene.jitter=0.2 --precision " + precision + " --threads " +
+                              std::to_string(threads) + " --set output.snapshots=1 --out '" + out + "' > /dev/null 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  return read_particles(out + "/snap_0001.hdf5").particles;
+}
+
+class Threads : public testing::TestWithParam<const char*> {};
+
+TEST_P(Threads, of_any_number_give_the_same_bits) {
+  const TemporaryFolder folder;
+  const ParticleSet one = end_of_run(folder.path(), GetParam(), 1), two = end_of_run(folder.path(), GetParam(), 2);
+  ASSERT_EQ(one.size(), 14u * 14 * 14);
+  EXPECT_GT(one.time, 0);
+  EXPECT_EQ(one.time, two.time);
+  EXPECT_EQ(one.x, two.x);
+  EXPECT_EQ(one.v, two.v);
+  EXPECT_EQ(one.u, two.u);
+  EXPECT_EQ(one.h, two.h);
+}
+INSTANTIATE_TEST_SUITE_P(Precisions, Threads, testing::Values("mixed", "double"));
+
+}  // namespace
+}  // namespace sphk
