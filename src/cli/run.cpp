@@ -103,7 +103,8 @@ int run_command(const RunOptions& options) {
   } catch (const NumericsError& error) {
     record.warnings.push_back(error.what());
     conclude();
-    throw;
+    throw NumericsError(fmt::format("{}\nThe run until then is in {}, its last snapshot is {}", error.what(),
+                                    output.folder().string(), output.last_snapshot()));
   }
   conclude();
   if (!options.json_log) progress.say("\n" + final_table(record));

@@ -14,6 +14,16 @@ void print_list(const char* title, const std::vector<std::string>& items, const 
   if (!items.empty()) fmt::print("  {:<12} {}\n", title, fmt::join(items, separator));
 }
 
+/// A comma-separated list in lines of about 100 characters.
+std::vector<std::string> wrapped(const std::vector<std::string>& words) {
+  std::vector<std::string> lines{""};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (lines.back().size() + words[k].size() > 100) lines.emplace_back();
+    lines.back() += words[k] + (k + 1 < words.size() ? ", " : "");
+  }
+  return lines;
+}
+
 void print_keys(const Settings& settings) {
   const char* origin[] = {"default", "scene", "file", "command line"};
   fmt::print("\n  {:<20} {:<20} {:<13} {}\n", "key", "value", "set by", "meaning");
@@ -34,11 +44,11 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
   fmt::print("{}: {}\n\n", problem.scene->name(), problem.scene->summary());
   fmt::print("  {:<12} {} in {}D, box {:g} x {:g} x {:g}\n", "particles", particles.size(), d.dimension,
              particles.box.size[0], particles.box.size[1], particles.box.size[2]);
-  fmt::print("  {:<12} {}, kernel {}{}, {} precision\n", "scheme", d.scheme, d.kernel, d.tabulated ? " (tabulated)" : "",
-             d.precision);
+  fmt::print("  {:<12} {}, kernel {}{}, {:g} neighbours, {} precision\n", "scheme", d.scheme, d.kernel,
+             d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
   print_list("passes", d.passes, " -> ");
   print_list("terms", d.terms, next_line);
-  print_list("fields", d.fields, ", ");
+  print_list("fields", wrapped(d.fields), next_line);
   fmt::print("  {:<12} {:.0f} bytes per particle ({}), {:.0f} operations per pair\n", "cost", d.bytes_per_particle,
              bytes_text(d.bytes_per_particle * static_cast<double>(particles.size())), d.flops_per_pair);
   print_list("left out", d.left_out, next_line);

@@ -82,11 +82,17 @@ void Progress::print_bar(const StepReport& step, const Speed& speed, double ener
   constexpr int width = 20;
   const double part = done(step);
   const int filled = static_cast<int>(part * width);
-  std::string line = fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %  {} left  t {:.4g}  dt {:.2e}  step {}  {} updates/s", "",
-                                 filled, "", width - filled, 100 * part, duration_text(speed.seconds_left), step.time,
-                                 step.dt, step.step, with_prefix(speed.updates_per_second));
-  line += fmt::format("  neighbours {}  dE {:.1e}  dt set by {}", neighbours(step), energy_drift, limiter(step));
-  line.resize(std::min(line.size(), static_cast<std::size_t>(columns(out_) - 1)));
+  std::string line = fmt::format("[{:#>{}}{:.>{}}] {:3.0f} %", "", filled, "", width - filled, 100 * part);
+  const std::string parts[] = {fmt::format("{} left", duration_text(speed.seconds_left)),
+                               fmt::format("t {:.4g}", step.time),
+                               fmt::format("dt {:.2e}", step.dt),
+                               fmt::format("step {}", step.step),
+                               with_prefix(speed.updates_per_second) + " updates/s",
+                               fmt::format("dE {:.1e}", energy_drift),
+                               "neighbours " + neighbours(step),
+                               "dt set by " + limiter(step)};
+  for (const std::string& text : parts)  // as many as the terminal's line holds
+    if (line.size() + 2 + text.size() < static_cast<std::size_t>(columns(out_))) line += "  " + text;
   fmt::print(out_, "\r\033[K{}", line);
   open_bar_ = true;
 }

@@ -149,6 +149,14 @@ TEST_F(Executable, ListShowInfoAndCheckWork) {
   EXPECT_EQ(sphk("ic check uniform-run/snap_0000.hdf5").code, 0);
 }
 
+// A time-step of 25 times the stable one blows up.
+TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
+  const Result result = sphk("run noh -n 8 --set scene.dimension=2 --set scene.lattice=cubic --set time.courant=10 --out bad");
+  EXPECT_EQ(result.code, 3) << result.text;
+  EXPECT_NE(result.text.find("its last snapshot is snap_"), std::string::npos) << result.text;
+  EXPECT_EQ(nlohmann::json::parse(read_text(file("bad/run.json")))["finished"], false);
+}
+
 // SIGTERM after a second of a long run: the state is written and the exit code says so.
 TEST_F(Executable, ASignalStopsTheRunWithCode75) {
   const Result result = sphk(
