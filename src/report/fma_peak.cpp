@@ -16,53 +16,70 @@ constexpr bool on_host = std::is_same_v<Space::memory_space, Kokkos::HostSpace>;
 template <class T>
 constexpr int width = on_host ? native_lanes<T> : 1;
 
-/// The widest number a thread holds: a SIMD pack on a CPU, a scalar on a GPU.
-template <class T>
-using Register = simd<T, width<T>>;
-
 /// 12 independent chains: more than latency (4 cycles) times throughput (2 a cycle) of any CPU of today, and few enough
 /// to stay in 16 registers.
 constexpr int chains = 12;
+constexpr int repeats = 16;
 
-/// Each thread turns x into a x + b. With a < 1 the numbers converge: neither overflow nor denormals slow the loop down.
+/// Each chain turns x into a x + b, `length` times. With a < 1 the numbers converge: neither overflow nor denormals slow
+/// the loop down. The sum keeps the compiler from leaving the work out.
 template <class T>
-struct FmaLoop {
-  long length;
-
-  KOKKOS_FUNCTION void operator()(int thread, double& sum) const {
-    Register<T> x[chains];
-    for (int k = 0; k < chains; ++k) x[k] = Register<T>(T(thread + k));
-    const Register<T> a(T(0.75)), b(T(0.5));
-    for (long i = 0; i < length; ++i)
-      for (int k = 0; k < chains; ++k) x[k] = Kokkos::fma(x[k], a, b);
-    for (int k = 0; k < chains; ++k) sum += first(x[k]);
+KOKKOS_FUNCTION double chains_of_fma(int seed, long length) {
+  using Register = simd<T, width<T>>;
+  Register x[chains];
+  for (int k = 0; k < chains; ++k) x[k] = Register(T(seed + k));
+  const Register a(T(0.75)), b(T(0.5));
+  for (long i = 0; i < length; ++i) {
+#pragma GCC unroll 12
+    for (int k = 0; k < chains; ++k) x[k] = Kokkos::fma(x[k], a, b);
   }
+  double sum = 0;
+  for (int k = 0; k < chains; ++k) sum += static_cast<double>(sum_lanes(x[k]));
+  return sum;
+}
 
-  KOKKOS_FUNCTION static double first(const Register<T>& x) {
-    if constexpr (width<T> == 1) return static_cast<double>(x);
-    else return static_cast<double>(x[0]);
+template <class T>
+double operations(long length) {
+  return 2.0 * chains * width<T> * static_cast<double>(length);
+}
+
+/// All threads at once; each counts the best of its loops of about 1 ms, so that another program on its core now and
+/// then does not lower the peak.
+template <class T>
+struct HostRate {
+  void operator()(int thread, double& rate, double& result) const {
+    constexpr long length = 1 << 19;
+    double best = 1e300;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      const Kokkos::Timer timer;
+      result += chains_of_fma<T>(thread, length);
+      best = std::min(best, timer.seconds());
+    }
+    rate += operations<T>(length) / best;
   }
 };
 
 template <class T>
-double seconds(int threads, long length) {
-  Space space;
-  double sum = 0;
-  space.fence();
-  Kokkos::Timer timer;
-  Kokkos::parallel_reduce("fma_peak", Kokkos::RangePolicy<Space>(space, 0, threads), FmaLoop<T>{length}, sum);
-  space.fence();
-  return timer.seconds();
-}
+struct DeviceLoop {
+  long length;
+  KOKKOS_FUNCTION void operator()(int thread, double& result) const { result += chains_of_fma<T>(thread, length); }
+};
 
-/// The best of 16 loops of about 1 ms: a peak is what the machine can do undisturbed.
 template <class T>
 double flops_per_second() {
-  constexpr long length = on_host ? 1 << 19 : 1 << 14;
-  const int threads = Space().concurrency() * (on_host ? 1 : 4);
-  double best = seconds<T>(threads, length);
-  for (int repeat = 0; repeat < 15; ++repeat) best = std::min(best, seconds<T>(threads, length));
-  return 2.0 * chains * width<T> * static_cast<double>(length) * threads / best;
+  const int threads = Space().concurrency();
+  double rate = 0, result = 0;
+  if constexpr (on_host) {
+    Kokkos::parallel_reduce("fma_peak", Kokkos::RangePolicy<Space>(0, threads), HostRate<T>{}, rate, result);
+  } else {
+    constexpr long length = 1 << 14;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      const Kokkos::Timer timer;
+      Kokkos::parallel_reduce("fma_peak", Kokkos::RangePolicy<Space>(0, 4 * threads), DeviceLoop<T>{length}, result);
+      rate = std::max(rate, 4 * threads * operations<T>(length) / timer.seconds());
+    }
+  }
+  return rate;
 }
 
 }  // namespace
