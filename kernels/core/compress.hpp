@@ -61,19 +61,18 @@ class Compress {
   int count() const { return std::popcount(bits_); }
 
   void store(lane_t<P>* to, const P& a) const {
-    using T = lane_t<P>;
     if constexpr (Scalar<P>) {
       if (bits_) *to = a;
 #if defined(KOKKOS_ARCH_AVX512XEON)
     } else if constexpr (lanes<P> == 16) {  // to a register first: a compressing store to memory is microcoded on Zen 4
       _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits_), static_cast<__m512>(a)));
-    } else if constexpr (std::is_same_v<T, float>) {
+    } else if constexpr (std::is_same_v<lane_t<P>, float>) {
       _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(bits_), static_cast<__m256>(a)));
     } else {
       _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits_), static_cast<__m512d>(a)));
     }
 #elif defined(KOKKOS_ARCH_AVX2)
-    } else if constexpr (std::is_same_v<T, float>) {
+    } else if constexpr (std::is_same_v<lane_t<P>, float>) {
       _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(static_cast<__m256>(a), order_));
     } else {
       const __m256 words = _mm256_castpd_ps(static_cast<__m256d>(a));

@@ -24,7 +24,9 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-bool sync_to_disk(int file) { return fsync(file) == 0 || errno == EINVAL; }  // EINVAL: this file system cannot sync
+bool sync_to_disk(int file) {
+  return fsync(file) == 0 || errno == EINVAL;  // EINVAL: this file system cannot sync
+}
 
 /// Each of the steps; false with errno set at the first that fails.
 bool replace(const fs::path& path, const fs::path& temporary, std::string_view bytes) {

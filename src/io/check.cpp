@@ -16,7 +16,9 @@ namespace {
 constexpr std::size_t max_examples = 3;
 using Severity = Finding::Severity;
 
-bool finite(const Array3& a) { return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]); }
+bool finite(const Array3& a) {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
 
 void require_size(const char* name, std::size_t size, std::size_t n, bool may_be_empty) {
   if (size != n && !(may_be_empty && size == 0))
@@ -71,8 +73,7 @@ std::vector<Array3> wrapped(const ParticleSet& p) {
   std::vector<Array3> x = p.x;
   for (Array3& position : x) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (p.box.periodic[k])
-        position[k] -= p.box.size[k] * std::floor((position[k] - p.box.lower[k]) / p.box.size[k]);
+      if (p.box.periodic[k]) position[k] -= p.box.size[k] * std::floor((position[k] - p.box.lower[k]) / p.box.size[k]);
     if (!finite(position)) position.fill(std::numeric_limits<double>::infinity());  // NaN has no place in an order
   }
   return x;
@@ -109,8 +110,7 @@ std::vector<Finding> check_particles(const ParticleSet& p) {
   collect.repeats(Severity::notice, "at exactly the place of another one",
                   sorted_rows(n, [&](std::size_t i) { return x[i]; }),
                   [&](std::size_t a, std::size_t b) { return finite(x[a]) && x[a] == x[b]; });
-  collect.rows(Severity::notice, "outside the box",
-               [&](std::size_t i) { return outside(p.box, p.dimension, p.x[i]); });
+  collect.rows(Severity::notice, "outside the box", [&](std::size_t i) { return outside(p.box, p.dimension, p.x[i]); });
   return std::move(collect).findings();
 }
 

@@ -40,9 +40,10 @@ std::vector<fs::path> file_parts(const fs::path& path) {
   const fs::path stem = first.stem();  // "x.7" of x.7.hdf5
   const std::string number = stem.extension().string();
   if (number.size() < 2 || !std::all_of(number.begin() + 1, number.end(), [](char c) { return c >= '0' && c <= '9'; }))
-    throw InputError(fmt::format("{}: its Header says that it is one of {:.0f} parts, but its name has no part number; "
-                                 "name the parts x.0.hdf5, x.1.hdf5, ..., or set NumFilesPerSnapshot to 1",
-                                 first.string(), count));
+    throw InputError(
+        fmt::format("{}: its Header says that it is one of {:.0f} parts, but its name has no part number; "
+                    "name the parts x.0.hdf5, x.1.hdf5, ..., or set NumFilesPerSnapshot to 1",
+                    first.string(), count));
   std::vector<fs::path> parts;
   for (int i = 0; i < count; ++i) {
     parts.push_back(first.parent_path() / fmt::format("{}.{}{}", stem.stem().string(), i, first.extension().string()));

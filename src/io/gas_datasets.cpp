@@ -37,10 +37,11 @@ void require_finite(const hdf5::Dataset& dataset, const std::vector<double>& val
   const auto bad = [](double value) { return !std::isfinite(value); };
   const auto first = std::find_if(values.begin(), values.end(), bad);
   if (first == values.end()) return;
-  throw InputError(fmt::format("{}: row {} (from 0) is {}, the first of {} values that are not finite; mend the file. "
-                               "`sphk ic check FILE` lists everything that is wrong in it",
-                               dataset.where(), static_cast<std::size_t>(first - values.begin()) / columns, *first,
-                               std::count_if(first, values.end(), bad)));
+  throw InputError(
+      fmt::format("{}: row {} (from 0) is {}, the first of {} values that are not finite; mend the file. "
+                  "`sphk ic check FILE` lists everything that is wrong in it",
+                  dataset.where(), static_cast<std::size_t>(first - values.begin()) / columns, *first,
+                  std::count_if(first, values.end(), bad)));
 }
 
 /// Components per row: (n) and (n,1) have one.
@@ -100,9 +101,12 @@ GasDatasets read_gas(const hdf5::Group& gas, double table_mass, NonFinite non_fi
   const std::size_t n = out.x.size();
   out.v = read_vectors(require(gas, {"Velocities", "Velocity"}), n, non_finite);
   out.u = read_scalars(require(gas, {"InternalEnergies", "InternalEnergy"}), n, non_finite);
-  if (const auto masses = find(gas, {"Masses", "Mass"})) out.m = read_scalars(*masses, n, non_finite);
-  else if (table_mass > 0) out.m.assign(n, table_mass);
-  else require(gas, {"Masses", "Mass"});
+  if (const auto masses = find(gas, {"Masses", "Mass"}))
+    out.m = read_scalars(*masses, n, non_finite);
+  else if (table_mass > 0)
+    out.m.assign(n, table_mass);
+  else
+    require(gas, {"Masses", "Mass"});
   if (const auto h = find(gas, {"SmoothingLength", "SmoothingLengths"})) out.h = read_scalars(*h, n, non_finite);
   if (const auto ids = find(gas, {"ParticleIDs", "ParticleID"})) out.id = read_ids(*ids, n);
   return out;

@@ -36,14 +36,16 @@ std::string hdf5_reason() {
 /// file makes it convert from a type with absurd bit fields.
 bool is_plain_number(hid_t type) {
   for (const hid_t plain :
-       {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE, H5T_STD_I16LE, H5T_STD_I32LE,
-        H5T_STD_I64LE, H5T_STD_U8LE, H5T_STD_U16LE, H5T_STD_U32LE, H5T_STD_U64LE, H5T_STD_I8BE, H5T_STD_I16BE,
-        H5T_STD_I32BE, H5T_STD_I64BE, H5T_STD_U8BE, H5T_STD_U16BE, H5T_STD_U32BE, H5T_STD_U64BE})
+       {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE,  H5T_STD_I16LE, H5T_STD_I32LE,
+        H5T_STD_I64LE,  H5T_STD_U8LE,   H5T_STD_U16LE,  H5T_STD_U32LE,  H5T_STD_U64LE, H5T_STD_I8BE,  H5T_STD_I16BE,
+        H5T_STD_I32BE,  H5T_STD_I64BE,  H5T_STD_U8BE,   H5T_STD_U16BE,  H5T_STD_U32BE, H5T_STD_U64BE})
     if (H5Tequal(type, plain) > 0) return true;
   return false;
 }
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 std::string name_of(hid_t object, ssize_t (*get)(hid_t, char*, std::size_t)) {
   const ssize_t length = get(object, nullptr, 0);
@@ -81,7 +83,9 @@ std::uint64_t Object::address() const {
   return info.addr;
 }
 
-bool Object::has_attribute(const std::string& name) const { return H5Aexists(id_.get(), name.c_str()) > 0; }
+bool Object::has_attribute(const std::string& name) const {
+  return H5Aexists(id_.get(), name.c_str()) > 0;
+}
 
 std::vector<double> Object::numbers(const std::string& name) const {
   const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
@@ -174,9 +178,10 @@ std::size_t Dataset::checked_size() const {
   const double factor = H5Pget_layout(properties.get()) == H5D_CHUNKED ? max_compression : 1;
   const auto stored = static_cast<double>(H5Dget_storage_size(id_.get()));
   if (bytes > factor * stored)
-    fail(fmt::format("its shape asks for {:.0f} bytes, but the file holds {:.0f}: the file is damaged or was never "
-                     "finished; copy or write it again",
-                     bytes, stored));
+    fail(
+        fmt::format("its shape asks for {:.0f} bytes, but the file holds {:.0f}: the file is damaged or was never "
+                    "finished; copy or write it again",
+                    bytes, stored));
   return static_cast<std::size_t>(count);
 }
 
@@ -185,7 +190,9 @@ void Dataset::read_into(hid_t type, void* values) const {
     fail("it cannot be read; the file is damaged: copy or write it again");
 }
 
-bool Group::has(const std::string& name) const { return H5Lexists(id_.get(), name.c_str(), H5P_DEFAULT) > 0; }
+bool Group::has(const std::string& name) const {
+  return H5Lexists(id_.get(), name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<std::string> Group::members() const {
   std::vector<std::string> names;

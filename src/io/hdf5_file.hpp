@@ -1,5 +1,6 @@
 #pragma once
 
+#define H5_USE_110_API  // HDF5 1.12 and newer then offer the functions of 1.10, which Debian 12 has
 #include <hdf5.h>
 
 #include <concepts>
@@ -43,10 +44,14 @@ class Handle {
 /// The native HDF5 type of T.
 template <Number T>
 hid_t native_type() {
-  if constexpr (std::floating_point<T>) return sizeof(T) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
-  else if constexpr (sizeof(T) == 1) return std::signed_integral<T> ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8;
-  else if constexpr (sizeof(T) == 4) return std::signed_integral<T> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT32;
-  else return std::signed_integral<T> ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT64;
+  if constexpr (std::floating_point<T>)
+    return sizeof(T) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
+  else if constexpr (sizeof(T) == 1)
+    return std::signed_integral<T> ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8;
+  else if constexpr (sizeof(T) == 4)
+    return std::signed_integral<T> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT32;
+  else
+    return std::signed_integral<T> ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT64;
 }
 
 /// Anything that carries attributes: a group (the file's root included) or a dataset.

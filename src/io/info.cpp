@@ -15,7 +15,9 @@ namespace sphk {
 
 namespace {
 
-std::string line(const char* name, const std::string& value) { return fmt::format("  {:<11} {}\n", name, value); }
+std::string line(const char* name, const std::string& value) {
+  return fmt::format("  {:<11} {}\n", name, value);
+}
 
 /// Attribute values as text, whatever they hold.
 std::string attribute_text(const hdf5::Object& object, const char* name) {
@@ -49,8 +51,8 @@ std::string foreign_lines(const hdf5::Group& header) {
 std::string particle_lines(const hdf5::File& file, const hdf5::Group& header) {
   static constexpr const char* names[] = {"gas", "dark matter", "disc", "bulge", "stars", "black holes", "neutrinos"};
   std::string text;
-  const auto counts = header.has_attribute("NumPart_ThisFile") ? header.numbers("NumPart_ThisFile")
-                                                               : std::vector<double>{};
+  const auto counts =
+      header.has_attribute("NumPart_ThisFile") ? header.numbers("NumPart_ThisFile") : std::vector<double>{};
   for (std::size_t type = 0; type < counts.size(); ++type)
     if (counts[type] > 0 || file.has(fmt::format("PartType{}", type)))
       text += line(type < std::size(names) ? names[type] : "other",

@@ -69,12 +69,12 @@ void Reader::add_part(const hdf5::File& file) {
   count_other_types(file, counts);
   if (!file.has("PartType0")) return;
   found_gas_ = true;
-  const GasDatasets part =
-      read_gas(file.group("PartType0"), numbers_or(header, "MassTable", {0.0})[0], non_finite_);
+  const GasDatasets part = read_gas(file.group("PartType0"), numbers_or(header, "MassTable", {0.0})[0], non_finite_);
   if (!counts.empty() && counts[0] != static_cast<double>(part.x.size()))
-    throw InputError(fmt::format("{}: NumPart_ThisFile says {:.0f} gas particles, PartType0/Coordinates has {}; "
-                                 "correct the attribute or write the file again",
-                                 header.where(), counts[0], part.x.size()));
+    throw InputError(
+        fmt::format("{}: NumPart_ThisFile says {:.0f} gas particles, PartType0/Coordinates has {}; "
+                    "correct the attribute or write the file again",
+                    header.where(), counts[0], part.x.size()));
   gas_.columns = part.columns;
   append(gas_.x, part.x);
   append(gas_.v, part.v);
@@ -101,12 +101,14 @@ void Reader::read_first(const hdf5::File& file) {
 
 void Reader::refuse_other_physics(const hdf5::File& file, const hdf5::Group& header) const {
   if (file.has("Cosmology") && number_or(file.group("Cosmology"), "Cosmological run", 0) != 0)
-    throw InputError(where_ + ": the file is in comoving units of a cosmological run, which sphk does not know; "
-                              "convert it to physical units and set the attribute \"Cosmological run\" of Cosmology "
-                              "to 0");
+    throw InputError(where_ +
+                     ": the file is in comoving units of a cosmological run, which sphk does not know; "
+                     "convert it to physical units and set the attribute \"Cosmological run\" of Cosmology "
+                     "to 0");
   if (number_or(header, "Flag_Entropy_ICs", 0) != 0)
-    throw InputError(header.where() + ": Flag_Entropy_ICs says that InternalEnergy holds entropies; write specific "
-                                      "thermal energies and set the flag to 0");
+    throw InputError(header.where() +
+                     ": Flag_Entropy_ICs says that InternalEnergy holds entropies; write specific "
+                     "thermal energies and set the flag to 0");
 }
 
 void Reader::read_box(const hdf5::File& file, const hdf5::Group& header) {
@@ -190,8 +192,10 @@ void Reader::set_box() {
       made += "xyz"[k];
     }
   }
-  if (!made.empty()) remark(fmt::format("there is no BoxSize along {}: taken as open, as wide as the particles", made));
-  else if (!periodic_) remark("the file does not say whether the box is periodic: taken as periodic");
+  if (!made.empty())
+    remark(fmt::format("there is no BoxSize along {}: taken as open, as wide as the particles", made));
+  else if (!periodic_)
+    remark("the file does not say whether the box is periodic: taken as periodic");
 }
 
 void Reader::fill_gaps() {

@@ -22,7 +22,9 @@ std::vector<T> gas_only(T count) {
   return counts;
 }
 
-std::vector<double> to_vector(const Array3& a) { return {a.begin(), a.end()}; }
+std::vector<double> to_vector(const Array3& a) {
+  return {a.begin(), a.end()};
+}
 
 /// The box as readers of SWIFT files know it: it begins at 0, and all axes are periodic or none is.
 struct ReadersBox {

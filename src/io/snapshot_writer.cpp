@@ -53,7 +53,10 @@ void write_field(hdf5::Group& gas, const Field& field, bool compressed) {
 /// SWIFT's h, from the support radius.
 Field swift_smoothing_lengths(const Field& support, const SnapshotInfo& info, int dimension) {
   const double gamma = kernel_gamma(info.kernel, dimension);
-  Field h{"SmoothingLengths", "Smoothing length as SWIFT defines it: support radius / kernel gamma", {1, 0, 0}, 1,
+  Field h{"SmoothingLengths",
+          "Smoothing length as SWIFT defines it: support radius / kernel gamma",
+          {1, 0, 0},
+          1,
           support.values};
   for (double& value : h.values) value /= gamma;
   return h;

@@ -15,9 +15,7 @@ class DamagedFiles : public Scratch {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  void put(const std::string& bytes) const {
-    std::ofstream(file("bad.hdf5"), std::ios::binary) << bytes;
-  }
+  void put(const std::string& bytes) const { std::ofstream(file("bad.hdf5"), std::ios::binary) << bytes; }
   /// True when the file is refused; anything but success or an InputError fails the test.
   bool refused() const {
     try {

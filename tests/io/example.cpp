@@ -78,9 +78,8 @@ hdf5::File ExampleIc::make() const {
 }
 
 Scratch::Scratch()
-    : folder_(fs::temp_directory_path() /
-              ("sphk-io-" + std::to_string(getpid()) + "-" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    : folder_(fs::temp_directory_path() / ("sphk-io-" + std::to_string(getpid()) + "-" +
+                                           testing::UnitTest::GetInstance()->current_test_info()->name())) {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }

@@ -26,9 +26,9 @@ TEST_F(Info, InitialConditionWithOtherTypes) {
   header.set("BoxSize", 2.0);
   header.set("NumPart_ThisFile", std::vector<int>{0, 12, 0, 0, 3, 0, 5});
   made.save(file("ic.hdf5"));
-  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")),
-                       {"SWIFT and GADGET", "12 particles (PartType1)", "dark matter", "stars",
-                        "5 particles (PartType6)", "no run can start from it", "no gas"}));
+  EXPECT_TRUE(
+      mentions(file_info(file("ic.hdf5")), {"SWIFT and GADGET", "12 particles (PartType1)", "dark matter", "stars",
+                                            "5 particles (PartType6)", "no run can start from it", "no gas"}));
 }
 
 TEST_F(Info, RemarksOfTheReaderAreShown) {

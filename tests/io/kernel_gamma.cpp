@@ -11,12 +11,16 @@ namespace sphk {
 namespace {
 
 /// Integral of q^a (1 - q)^n over [0, 1].
-double power_integral(int a, int n) { return std::beta(a + 1, n + 1); }
+double power_integral(int a, int n) {
+  return std::beta(a + 1, n + 1);
+}
 
 double cubic_spline_moment(int a) {  // 2 (1-q)^3 - (1-2q)_+^3
   return 2 * power_integral(a, 3) - std::pow(0.5, a + 1) * power_integral(a, 3);
 }
-double wendland_c2_moment(int a) { return power_integral(a, 4) + 4 * power_integral(a + 1, 4); }
+double wendland_c2_moment(int a) {
+  return power_integral(a, 4) + 4 * power_integral(a + 1, 4);
+}
 double wendland_c4_moment(int a) {
   return power_integral(a, 6) + 6 * power_integral(a + 1, 6) + 35.0 / 3 * power_integral(a + 2, 6);
 }
@@ -38,7 +42,9 @@ TEST(KernelGamma, CubicSplineOfTheTable) {
   EXPECT_NEAR(kernel_gamma("cs", 3), 1.825742, 5e-7);
 }
 
-TEST(KernelGamma, UnknownKernelsAreRefused) { EXPECT_THROW(kernel_gamma("none", 3), std::invalid_argument); }
+TEST(KernelGamma, UnknownKernelsAreRefused) {
+  EXPECT_THROW(kernel_gamma("none", 3), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace sphk

@@ -114,9 +114,7 @@ TEST_F(SnapshotWriter, FieldsOfAWrongSizeAreRefused) {
 
 TEST_F(SnapshotWriter, FoldersThatCannotBeWrittenAreNamed) {
   const Snapshot s = example_snapshot(3, 4);
-  const auto message = [&](const char* path) {
-    return input_error([&] { write_snapshot(path, s, example_info()); });
-  };
+  const auto message = [&](const char* path) { return input_error([&] { write_snapshot(path, s, example_info()); }); };
   EXPECT_TRUE(mentions(message("/no/such/folder/snap.hdf5"), {"/no/such/folder", "mkdir -p"}));
   EXPECT_TRUE(mentions(message("/proc/snap.hdf5"), {"/proc"}));
 }
