@@ -48,7 +48,11 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
               const std::string& doc) {
   const std::string spelling = name.substr(0, name.find(','));
   app.add_option_function<std::string>(
-         name, [&o, key, spelling](const std::string& text) { o.shortcuts.push_back({key, text, spelling + " " + text}); }, doc)
+         name,
+         [&o, key, spelling](const std::string& text) {
+           o.shortcuts.push_back({key, text, spelling + " " + text});
+         },
+         doc)
       ->type_name(type);
 }
 
@@ -68,7 +72,8 @@ void add_threads(CLI::App& app, Options& o) {
 
 void add_run(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("run", "run a scene, a scene file or an initial condition");
-  app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition")->required();
+  app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition")
+      ->required();
   add_physics(app, o);
   shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
   shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
@@ -78,11 +83,12 @@ void add_run(CLI::App& root, Options& o) {
   app.add_flag("--overwrite", o.run.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
   app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
-  app.footer("Examples:\n  sphk run sod\n  sphk run gresho -n 64 --neighbours 128 --kernel hoct4\n"
-             "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
-             "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
-             "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
-             "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped by SIGTERM or SIGINT.");
+  app.footer(
+      "Examples:\n  sphk run sod\n  sphk run gresho -n 64 --neighbours 128 --kernel hoct4\n"
+      "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
+      "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
+      "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
+      "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped by SIGTERM or SIGINT.");
 }
 
 void add_plot(CLI::App& root, Options& o) {
@@ -101,8 +107,9 @@ void add_rates(CLI::App& root, Options& o) {
   add_threads(app, o);
   app.add_option("--out", o.out, "the HDF5 file to write")->required();
   app.add_flag("--split", o.split, "write each term apart as well");
-  app.footer("Computes in double, unless --precision says otherwise.\nExample:\n"
-             "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
+  app.footer(
+      "Computes in double, unless --precision says otherwise.\nExample:\n"
+      "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
 }
 
 void add_inspection(CLI::App& root, Options& o) {
@@ -174,8 +181,9 @@ Request parse_command_line(int argc, char** argv) {
   add_inspection(root, *options);
   add_plot(root, *options);
   add_rates(root, *options);
-  root.footer("Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
-              "`sphk COMMAND --help` tells more about each command.");
+  root.footer(
+      "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
+      "`sphk COMMAND --help` tells more about each command.");
   try {
     root.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version

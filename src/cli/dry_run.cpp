@@ -46,7 +46,8 @@ int dry_run_command(const Problem& problem) {
   fmt::print("  steps       about {:.0f} to t = {:g}, if the time-step stays as it is\n", steps, end);
   fmt::print("  output      {} in {:.0f} snapshots\n", bytes_text(snapshots * snapshot_bytes(simulation->snapshot())),
              snapshots);
-  fmt::print("  run time    about {} ({:.3g} s a step; nothing was written)\n", duration_text(steps * seconds), seconds);
+  fmt::print("  run time    about {} ({:.3g} s a step; nothing was written)\n", duration_text(steps * seconds),
+             seconds);
   return ExitCode::done;
 }
 

@@ -7,18 +7,30 @@
 
 namespace sphk {
 
+PlotHint plain_hint(const Box& box) {
+  return {.abscissa = "x",
+          .fields = {"rho", "v", "P"},
+          .from = box.lower[0],
+          .to = box.lower[0] + box.size[0],
+          .centre = {}};
+}
+
 FileScene::FileScene(const std::filesystem::path& path)
     : path_(std::filesystem::absolute(path)), content_(read_particles(path)) {
   for (const Finding& finding : check_particles(content_.particles))
     (finding.severity == Finding::Severity::error ? errors_ : content_.remarks).push_back(to_text(finding));
 }
 
-std::string FileScene::summary() const { return "the initial condition " + path_.string(); }
+std::string FileScene::summary() const {
+  return "the initial condition " + path_.string();
+}
 
 void FileScene::declare(Settings& settings) const {
   settings.declare({.name = "scene.file", .value = path_.string(), .doc = "the initial condition", .choices = {}});
-  settings.declare({.name = "scene.periodic", .value = std::string("file"),
-                    .doc = "boundaries of all axes: as the file says, or as asked", .choices = {"file", "yes", "no"}});
+  settings.declare({.name = "scene.periodic",
+                    .value = std::string("file"),
+                    .doc = "boundaries of all axes: as the file says, or as asked",
+                    .choices = {"file", "yes", "no"}});
   if (content_.gamma) settings.prefer("sph.gamma", *content_.gamma);
   settings.prefer("time.end", content_.particles.time);
 }
@@ -34,8 +46,7 @@ ParticleSet FileScene::build(const Settings& settings) const {
 }
 
 PlotHint FileScene::plot_hint(const Settings&) const {
-  const Box& box = content_.particles.box;
-  return {.abscissa = "x", .fields = {"rho", "v", "P"}, .from = box.lower[0], .to = box.lower[0] + box.size[0], .centre = {}};
+  return plain_hint(content_.particles.box);
 }
 
 }  // namespace sphk

@@ -9,6 +9,9 @@
 
 namespace sphk {
 
+/// Density, velocity and pressure along x over the whole box: how gas without a scene of its own is drawn.
+PlotHint plain_hint(const Box& box);
+
 /// An initial-condition file that runs like a scene: gamma from the file where it says so, no exact solution.
 class FileScene : public Scene {
  public:

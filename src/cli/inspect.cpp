@@ -21,7 +21,8 @@ int ic_check_command(const std::string& file) {
   for (const std::string& remark : content.remarks) fmt::print("  note: {}\n", remark);
   for (const Finding& finding : findings)
     fmt::print("  {}: {}\n", finding.severity == Finding::Severity::error ? "error" : "notice", to_text(finding));
-  const bool sound = std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Finding::Severity::error; });
+  const bool sound =
+      std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Finding::Severity::error; });
   fmt::print("{}\n", sound ? "A run can start from it." : "No run can start from it: mend the errors above.");
   return sound ? ExitCode::done : ExitCode::bad_input;
 }

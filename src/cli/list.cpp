@@ -47,11 +47,12 @@ int list_command() {
     const Problem problem = resolve_problem(scene->name(), {});
     const Settings settings = with_lattice(problem.settings);
     const ParticleSet particles = scene->build(settings);
-    fmt::print("{:<10} {:>10} {:>9}  {}\n", scene->name(), particles.size(), "~" + rough_text(rough_seconds(particles, settings)),
-               scene->summary());
+    fmt::print("{:<10} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
+               "~" + rough_text(rough_seconds(particles, settings)), scene->summary());
   }
-  fmt::print("\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "
-             "measures.\n`sphk show SCENE` tells what a scene computes and its keys.\n");
+  fmt::print(
+      "\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "
+      "measures.\n`sphk show SCENE` tells what a scene computes and its keys.\n");
   return ExitCode::done;
 }
 

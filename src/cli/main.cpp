@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
   } catch (const sphk::NumericsError& error) {
     return fail(ExitCode::numerics, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::device, "out of memory; take fewer particles (-n) or ask `sphk run ... --dry-run` what is needed");
+    return fail(ExitCode::device,
+                "out of memory; take fewer particles (-n) or ask `sphk run ... --dry-run` what is needed");
   } catch (const std::exception& error) {  // DeviceError, and what Kokkos and HDF5 throw
     return fail(ExitCode::device, error.what());
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/file_scene.hpp"
 #include "src/cli/plot_script.hpp"
 #include "src/engine/errors.hpp"
 #include "src/io/reader.hpp"
@@ -41,10 +42,12 @@ Targets find_targets(const PlotOptions& options) {
   const fs::path what = options.what;
   if (fs::is_regular_file(what)) return {.folder = what.parent_path(), .snapshots = {what}, .whole_run = false};
   if (!fs::is_directory(what))
-    throw InputError(fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", options.what));
+    throw InputError(
+        fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", options.what));
   Targets targets{.folder = what, .snapshots = snapshots_in(what), .whole_run = true};
   if (targets.snapshots.empty())
-    throw InputError(fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", options.what));
+    throw InputError(
+        fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", options.what));
   if (!options.every) targets.snapshots.erase(targets.snapshots.begin(), targets.snapshots.end() - 1);
   return targets;
 }
@@ -75,12 +78,19 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, double time) {
 Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& problem, bool exact) {
   const ParticleSet particles = read_particles(snapshot).particles;
   const Box& box = particles.box;
-  PlotHint hint{.abscissa = "x", .fields = {"rho", "v", "P"}, .from = box.lower[0], .to = box.lower[0] + box.size[0], .centre = {}};
-  if (problem) hint = problem->scene->plot_hint(problem->settings);
-  Json json = {{"file", snapshot.string()},   {"time", particles.time},    {"dimension", particles.dimension},
-               {"box_lower", box.lower},      {"box_size", box.size},      {"periodic", box.periodic},
-               {"abscissa", hint.abscissa},   {"fields", hint.fields},     {"from", hint.from},
-               {"to", hint.to},               {"centre", hint.centre},     {"exact", nullptr},
+  const PlotHint hint = problem ? problem->scene->plot_hint(problem->settings) : plain_hint(box);
+  Json json = {{"file", snapshot.string()},
+               {"time", particles.time},
+               {"dimension", particles.dimension},
+               {"box_lower", box.lower},
+               {"box_size", box.size},
+               {"periodic", box.periodic},
+               {"abscissa", hint.abscissa},
+               {"fields", hint.fields},
+               {"from", hint.from},
+               {"to", hint.to},
+               {"centre", hint.centre},
+               {"exact", nullptr},
                {"title", snapshot.stem().string()}};
   if (!problem) return json;
   const SimulationSettings s = simulation_settings(problem->settings);
@@ -116,7 +126,8 @@ int plot_command(const PlotOptions& options) {
   }
   const fs::path history = targets.folder / "history.csv";
   if (fs::exists(history)) work["history"] = history.string();
-  const bool draw_history = targets.whole_run && fs::exists(history) && !(options.out && options.out->extension() == ".png");
+  const bool draw_history =
+      targets.whole_run && fs::exists(history) && !(options.out && options.out->extension() == ".png");
   if (draw_history) work["history_out"] = (options.out.value_or(targets.folder) / "history.png").string();
   run_plot_script(work.dump());
   return ExitCode::done;

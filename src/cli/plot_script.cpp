@@ -73,8 +73,9 @@ void run_plot_script(const std::string& work) {
   }
   std::fclose(file);
   if (code == not_found || code == missing_package)
-    throw InputError("figures need Python 3 with matplotlib and h5py: sudo apt-get install python3-matplotlib python3-h5py\n"
-                     "(another Python can be named in the environment variable SPHK_PYTHON)");
+    throw InputError(
+        "figures need Python 3 with matplotlib and h5py: sudo apt-get install python3-matplotlib python3-h5py\n"
+        "(another Python can be named in the environment variable SPHK_PYTHON)");
   if (code != 0) throw InputError(fmt::format("the drawing script ended with code {}; its message is above", code));
 }
 

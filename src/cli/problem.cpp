@@ -14,7 +14,9 @@ namespace sphk {
 
 namespace {
 
-bool is_scene_file(const std::string& what) { return what.ends_with(".toml"); }
+bool is_scene_file(const std::string& what) {
+  return what.ends_with(".toml");
+}
 
 bool is_initial_condition(const std::string& what) {
   return what.ends_with(".hdf5") || what.ends_with(".h5") || what.ends_with(".hdf") ||
@@ -39,8 +41,10 @@ void take_scene_file(Problem& problem, const SceneFile& file) {
   const SceneFileEntry* entry = file.scene();
   const auto* name = entry ? std::get_if<std::string>(&entry->value) : nullptr;
   if (!entry)
-    throw InputError(fmt::format("{}: no scene is named; begin the file with scene = \"sod\", or with name = \"sod\" "
-                                 "in the section [scene] (`sphk list` shows the names)", file.path()));
+    throw InputError(
+        fmt::format("{}: no scene is named; begin the file with scene = \"sod\", or with name = \"sod\" "
+                    "in the section [scene] (`sphk list` shows the names)",
+                    file.path()));
   if (!name) throw InputError(file.message(*entry, "a scene's name is a string, such as \"sod\"", true));
   if (*name == FileScene::scene_name) {
     const std::string* path = file.text("scene.file");
@@ -70,12 +74,21 @@ std::vector<std::string> apply_overrides(Settings& settings, const std::vector<O
 
 void declare_run_keys(Settings& settings) {
   settings.declare({.name = "time.end", .value = 1.0, .doc = "end time, code units", .choices = {}});
-  settings.declare({.name = "time.steps", .value = std::int64_t{0}, .doc = "stop after so many steps; 0: no limit",
-                    .choices = {}, .min = 0});
-  settings.declare({.name = "output.snapshots", .value = std::int64_t{10},
-                    .doc = "snapshots after the first, at equal intervals of time", .choices = {}, .min = 1, .max = 9999});
-  settings.declare({.name = "output.compression", .value = std::string("none"),
-                    .doc = "of the snapshots; gzip: smaller, and slower to write", .choices = {"none", "gzip"}});
+  settings.declare({.name = "time.steps",
+                    .value = std::int64_t{0},
+                    .doc = "stop after so many steps; 0: no limit",
+                    .choices = {},
+                    .min = 0});
+  settings.declare({.name = "output.snapshots",
+                    .value = std::int64_t{10},
+                    .doc = "snapshots after the first, at equal intervals of time",
+                    .choices = {},
+                    .min = 1,
+                    .max = 9999});
+  settings.declare({.name = "output.compression",
+                    .value = std::string("none"),
+                    .doc = "of the snapshots; gzip: smaller, and slower to write",
+                    .choices = {"none", "gzip"}});
 }
 
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides) {

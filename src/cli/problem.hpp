@@ -24,8 +24,8 @@ struct Problem {
 /// Declares the keys of the sections [time] and [output] that the run loop reads.
 void declare_run_keys(Settings& settings);
 
-/// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). Throws one InputError that lists
-/// every unknown key, wrong type and value out of range of the file and of the overrides.
+/// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). Throws one InputError that
+/// lists every unknown key, wrong type and value out of range of the file and of the overrides.
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides);
 
 /// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one), for

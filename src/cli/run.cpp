@@ -48,13 +48,15 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
 }
 
 std::string headline(const RunRecord& r) {
-  return fmt::format("sphk {}: {} with {} particles in {}D; {} on {}, {} threads, {} precision; scheme {}, kernel {}, {:g} "
-                     "neighbours",
-                     r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device,
-                     r.platform.threads, r.platform.precision, r.scheme, r.kernel, r.neighbours);
+  return fmt::format(
+      "sphk {}: {} with {} particles in {}D; {} on {}, {} threads, {} precision; scheme {}, kernel {}, {:g} "
+      "neighbours",
+      r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device, r.platform.threads,
+      r.platform.precision, r.scheme, r.kernel, r.neighbours);
 }
 
-void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation, const Box& box) {
+void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation,
+                 const Box& box) {
   record.steps = loop.steps();
   record.time = simulation.time();
   record.wall_seconds = loop.wall();
@@ -92,7 +94,8 @@ int run_command(const RunOptions& options) {
   record.setup_seconds = setup.wall();
 
   catch_stop_signals();
-  RunOutput output(make_run_folder(problem.scene->name(), options.out, options.overwrite), *problem.scene, problem.settings);
+  RunOutput output(make_run_folder(problem.scene->name(), options.out, options.overwrite), *problem.scene,
+                   problem.settings);
   RunLoop loop(*simulation, output, progress, plan, particles.box);
   const auto conclude = [&] {
     add_results(record, loop, output, *simulation, particles.box);

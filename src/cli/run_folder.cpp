@@ -44,8 +44,8 @@ fs::path make_asked_folder(const fs::path& folder, bool overwrite) {
 
 void refuse_used_folder(const fs::path& folder) {
   if (fs::is_directory(folder) && !run_files(folder).empty())
-    throw InputError(fmt::format("{} already holds a run; name another folder with --out, or add --overwrite to replace it",
-                                 folder.string()));
+    throw InputError(fmt::format(
+        "{} already holds a run; name another folder with --out, or add --overwrite to replace it", folder.string()));
 }
 
 fs::path make_run_folder(const std::string& name, const std::optional<fs::path>& asked, bool overwrite) {

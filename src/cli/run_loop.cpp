@@ -19,7 +19,9 @@ double RunLoop::output_time(long snapshot) const {
   return snapshot == plan_.snapshots ? plan_.end : begin_ + part * (plan_.end - begin_);
 }
 
-bool RunLoop::over() const { return stop_requested() || (plan_.steps > 0 && steps_ >= plan_.steps); }
+bool RunLoop::over() const {
+  return stop_requested() || (plan_.steps > 0 && steps_ >= plan_.steps);
+}
 
 void RunLoop::step(double until) {
   const Stopwatch watch;

@@ -12,7 +12,9 @@ namespace sphk {
 
 namespace {
 
-bool is_scene_name(const std::string& name) { return name == "scene" || name == "scene.name"; }
+bool is_scene_name(const std::string& name) {
+  return name == "scene" || name == "scene.name";
+}
 
 /// Where the key stands in its line: the last occurrence of its name before the value, or the first in [section].
 int key_column(const std::string& line, const std::string& leaf, int value_column) {
@@ -29,12 +31,18 @@ SceneFileEntry entry_of(const std::string& name, const std::string& leaf, const 
   entry.value_column = static_cast<int>(place.column());
   entry.key_column = key_column(place.line_str(), leaf, entry.value_column);
   entry.line_text = place.line_str();
-  if (value.is_table()) entry.kind = SceneFileEntry::Kind::section;
-  else if (value.is_boolean()) entry.value = value.as_boolean();
-  else if (value.is_integer()) entry.value = std::int64_t{value.as_integer()};
-  else if (value.is_floating()) entry.value = value.as_floating();
-  else if (value.is_string()) entry.value = value.as_string().str;
-  else entry.kind = SceneFileEntry::Kind::unsupported;
+  if (value.is_table())
+    entry.kind = SceneFileEntry::Kind::section;
+  else if (value.is_boolean())
+    entry.value = value.as_boolean();
+  else if (value.is_integer())
+    entry.value = std::int64_t{value.as_integer()};
+  else if (value.is_floating())
+    entry.value = value.as_floating();
+  else if (value.is_string())
+    entry.value = value.as_string().str;
+  else
+    entry.kind = SceneFileEntry::Kind::unsupported;
   return entry;
 }
 
@@ -88,9 +96,8 @@ SceneFile::SceneFile(const std::filesystem::path& path) : path_(path.string()) {
 }
 
 const SceneFileEntry* SceneFile::scene() const {
-  const auto it = std::ranges::find_if(entries_, [](const SceneFileEntry& e) {
-    return is_scene_name(e.name) && e.kind == SceneFileEntry::Kind::value;
-  });
+  const auto it = std::ranges::find_if(
+      entries_, [](const SceneFileEntry& e) { return is_scene_name(e.name) && e.kind == SceneFileEntry::Kind::value; });
   return it == entries_.end() ? nullptr : &*it;
 }
 

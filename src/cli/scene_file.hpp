@@ -20,8 +20,9 @@ struct SceneFileEntry {
   std::string line_text;
 };
 
-/// A scene file (TOML) as a flat list of keys, in the file's order. The scene's name is the key "scene" (`scene = "sod"`
-/// before all sections) or "scene.name" (`name = "sod"` in the section [scene], where the scene has keys of its own).
+/// A scene file (TOML) as a flat list of keys, in the file's order. The scene's name is the key "scene" (`scene =
+/// "sod"` before all sections) or "scene.name" (`name = "sod"` in the section [scene], where the scene has keys of its
+/// own).
 class SceneFile {
  public:
   /// Throws InputError when the file cannot be read or is not TOML, with line, column and caret.

@@ -8,7 +8,9 @@ namespace {
 
 volatile std::sig_atomic_t stop_flag = 0;
 
-void ask_for_stop(int) { stop_flag = 1; }
+void ask_for_stop(int) {
+  stop_flag = 1;
+}
 
 }  // namespace
 
@@ -21,6 +23,8 @@ void catch_stop_signals() {
   sigaction(SIGINT, &action, nullptr);
 }
 
-bool stop_requested() { return stop_flag != 0; }
+bool stop_requested() {
+  return stop_flag != 0;
+}
 
 }  // namespace sphk

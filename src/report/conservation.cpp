@@ -7,12 +7,18 @@ namespace sphk {
 
 namespace {
 
-double length(const Array3& a) { return std::hypot(a[0], a[1], a[2]); }
+double length(const Array3& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
 
-double distance(const Array3& a, const Array3& b) { return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]}); }
+double distance(const Array3& a, const Array3& b) {
+  return length({a[0] - b[0], a[1] - b[1], a[2] - b[2]});
+}
 
 /// |difference| / scale; an empty or motionless system without a scale reports the difference itself.
-double relative(double difference, double scale) { return scale > 0 ? difference / scale : difference; }
+double relative(double difference, double scale) {
+  return scale > 0 ? difference / scale : difference;
+}
 
 }  // namespace
 

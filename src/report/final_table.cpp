@@ -45,11 +45,11 @@ void rates(Text out, const RunRecord& r) {
 
 void physics(Text out, const RunRecord& r) {
   const Conservation& c = r.conservation;
-  fmt::format_to(out, "  relative drift: energy {:.2e}, momentum {:.2e}, angular momentum {:.2e}, mass {:.2e}\n", c.energy,
-                 c.momentum, c.angular_momentum, c.mass);
+  fmt::format_to(out, "  relative drift: energy {:.2e}, momentum {:.2e}, angular momentum {:.2e}, mass {:.2e}\n",
+                 c.energy, c.momentum, c.angular_momentum, c.mass);
   for (const auto& [field, norm] : r.errors)
-    fmt::format_to(out, "  error of {:<16} L1 {:<10.4g} L2 {:<10.4g} Linf {:<10.4g} at ({:.4g}, {:.4g}, {:.4g})\n", field,
-                   norm.l1, norm.l2, norm.linf, norm.where[0], norm.where[1], norm.where[2]);
+    fmt::format_to(out, "  error of {:<16} L1 {:<10.4g} L2 {:<10.4g} Linf {:<10.4g} at ({:.4g}, {:.4g}, {:.4g})\n",
+                   field, norm.l1, norm.l2, norm.linf, norm.where[0], norm.where[1], norm.where[2]);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ constexpr int width = on_host ? native_lanes<T> : 1;
 constexpr int chains = 12;
 constexpr int repeats = 16;
 
-/// Each chain turns x into a x + b, `length` times. With a < 1 the numbers converge: neither overflow nor denormals slow
-/// the loop down. The sum keeps the compiler from leaving the work out.
+/// Each chain turns x into a x + b, `length` times. With a < 1 the numbers converge: neither overflow nor denormals
+/// slow the loop down. The sum keeps the compiler from leaving the work out.
 template <class T>
 KOKKOS_FUNCTION double chains_of_fma(int seed, long length) {
   using Register = simd<T, width<T>>;
@@ -84,8 +84,12 @@ double flops_per_second() {
 
 }  // namespace
 
-double FmaPeak::of(std::string_view precision) const { return precision == "double" ? twofold : single; }
+double FmaPeak::of(std::string_view precision) const {
+  return precision == "double" ? twofold : single;
+}
 
-FmaPeak measure_fma_peak() { return {flops_per_second<float>(), flops_per_second<double>()}; }
+FmaPeak measure_fma_peak() {
+  return {flops_per_second<float>(), flops_per_second<double>()};
+}
 
 }  // namespace sphk

@@ -49,11 +49,11 @@ double value_of(const History::Measures& measures, const std::string& name) {
 }  // namespace
 
 History::History(const std::filesystem::path& path) : path_(path), file_(path) {
-  if (!file_) throw InputError(fmt::format("cannot write {}: does the folder exist, and may you write there?", path.string()));
+  if (!file_)
+    throw InputError(fmt::format("cannot write {}: does the folder exist, and may you write there?", path.string()));
 }
 
-void History::add(const StepReport& step, const Totals& totals, const Conservation& drift,
-                  const Measures& measures) {
+void History::add(const StepReport& step, const Totals& totals, const Conservation& drift, const Measures& measures) {
   Measures columns = standard_columns(step, totals, drift);
   if (!started_) {
     for (const auto& [name, value] : measures) measures_.push_back(name);

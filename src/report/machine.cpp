@@ -48,7 +48,11 @@ double peak_memory_bytes() {
 }
 
 Stopwatch::Stopwatch() : wall_start_(seconds(CLOCK_MONOTONIC)), cpu_start_(seconds(CLOCK_PROCESS_CPUTIME_ID)) {}
-double Stopwatch::wall() const { return seconds(CLOCK_MONOTONIC) - wall_start_; }
-double Stopwatch::cpu() const { return seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_; }
+double Stopwatch::wall() const {
+  return seconds(CLOCK_MONOTONIC) - wall_start_;
+}
+double Stopwatch::cpu() const {
+  return seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_start_;
+}
 
 }  // namespace sphk

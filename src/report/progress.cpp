@@ -23,12 +23,15 @@ std::string neighbours(const StepReport& s) {
 }
 
 std::string limiter(const StepReport& s) {
-  return fmt::format("#{} at ({:.4g}, {:.4g}, {:.4g})", s.limiting_id, s.limiting_x[0], s.limiting_x[1], s.limiting_x[2]);
+  return fmt::format("#{} at ({:.4g}, {:.4g}, {:.4g})", s.limiting_id, s.limiting_x[0], s.limiting_x[1],
+                     s.limiting_x[2]);
 }
 
 }  // namespace
 
-ProgressStyle style_for(std::FILE* out) { return isatty(fileno(out)) ? ProgressStyle::bar : ProgressStyle::lines; }
+ProgressStyle style_for(std::FILE* out) {
+  return isatty(fileno(out)) ? ProgressStyle::bar : ProgressStyle::lines;
+}
 
 Progress::Progress(ProgressStyle style, Span span, std::FILE* out)
     : style_(style), span_(span), out_(out), last_time_(span.from) {}
@@ -44,9 +47,15 @@ bool Progress::due() const {
 void Progress::report(const StepReport& step, long updates, double energy_drift) {
   const Speed now = speed(step, updates);
   switch (style_) {
-    case ProgressStyle::bar: print_bar(step, now, energy_drift); break;
-    case ProgressStyle::lines: print_line(step, now, energy_drift); break;
-    case ProgressStyle::json: print_json(step, now, energy_drift); break;
+    case ProgressStyle::bar:
+      print_bar(step, now, energy_drift);
+      break;
+    case ProgressStyle::lines:
+      print_line(step, now, energy_drift);
+      break;
+    case ProgressStyle::json:
+      print_json(step, now, energy_drift);
+      break;
   }
   std::fflush(out_);
   started_ = true;

@@ -13,7 +13,8 @@ namespace sphk {
 void write_text(const std::filesystem::path& path, std::string_view text) {
   const auto fail = [&] {
     const char* reason = errno != 0 ? std::strerror(errno) : "unknown reason";
-    throw InputError(fmt::format("cannot write {}: {}; is there space, and may you write there?", path.string(), reason));
+    throw InputError(
+        fmt::format("cannot write {}: {}; is there space, and may you write there?", path.string(), reason));
   };
   std::filesystem::path temporary = path;
   temporary += ".tmp";

@@ -58,7 +58,8 @@ TEST_F(Executable, BadInputEndsWithCode2AndTellsHowToMendIt) {
 
 TEST_F(Executable, AFileThatIsNoHdf5IsBadInput) {
   std::ofstream(file("bad.hdf5")) << "this is text";
-  for (const char* arguments : {"run bad.hdf5 --t-end 1", "info bad.hdf5", "ic check bad.hdf5", "rates bad.hdf5 --out r.hdf5"})
+  for (const char* arguments :
+       {"run bad.hdf5 --t-end 1", "info bad.hdf5", "ic check bad.hdf5", "rates bad.hdf5 --out r.hdf5"})
     EXPECT_EQ(sphk(arguments).code, 2) << arguments;
 }
 
@@ -75,7 +76,8 @@ TEST_F(Executable, HelpHasExamplesForEveryCommand) {
 TEST_F(Executable, ARunLeavesTheFilesOfTheContract) {
   const Result result = sphk(small_run);
   ASSERT_EQ(result.code, 0) << result.text;
-  for (const char* name : {"scene.used.toml", "snap_0000.hdf5", "snap_0001.hdf5", "run.hdf.series", "history.csv", "run.json"})
+  for (const char* name :
+       {"scene.used.toml", "snap_0000.hdf5", "snap_0001.hdf5", "run.hdf.series", "history.csv", "run.json"})
     EXPECT_TRUE(std::filesystem::exists(file("uniform-run") / name)) << name;
   const auto json = nlohmann::json::parse(read_text(file("uniform-run") / "run.json"));
   EXPECT_EQ(json["particles"], 512);  // 8^3
@@ -87,7 +89,8 @@ TEST_F(Executable, ARunLeavesTheFilesOfTheContract) {
   EXPECT_LT(json["conservation"]["energy"], 1e-3);
   // The first line says what runs; without a terminal there is no bar.
   EXPECT_TRUE(result.text.starts_with("sphk ")) << result.text;
-  for (const char* part : {"512 particles in 3D", "precision", "threads", "kernel cs", "updates/s", "phase", "sphk plot uniform-run"})
+  for (const char* part :
+       {"512 particles in 3D", "precision", "threads", "kernel cs", "updates/s", "phase", "sphk plot uniform-run"})
     EXPECT_NE(result.text.find(part), std::string::npos) << part << "\n" << result.text;
   EXPECT_EQ(result.text.find('\r'), std::string::npos);
 }
@@ -104,7 +107,8 @@ TEST_F(Executable, AnotherRunTakesAnotherFolderAndOutIsNeverOverwrittenSilently)
 TEST_F(Executable, TheUsedSceneFileAndASnapshotRunAgain) {
   ASSERT_EQ(sphk(small_run).code, 0);
   EXPECT_EQ(sphk("run uniform-run/scene.used.toml --out again").code, 0);
-  EXPECT_EQ(read_text(file("uniform-run/history.csv")).substr(0, 200), read_text(file("again/history.csv")).substr(0, 200));
+  EXPECT_EQ(read_text(file("uniform-run/history.csv")).substr(0, 200),
+            read_text(file("again/history.csv")).substr(0, 200));
   const Result result = sphk("run uniform-run/snap_0001.hdf5 --t-end 0.2 --steps 1");
   EXPECT_EQ(result.code, 0) << result.text;
   EXPECT_TRUE(std::filesystem::exists(file("file-run/run.json")));
@@ -128,7 +132,8 @@ TEST_F(Executable, AJsonLogHoldsNothingButJson) {
 
 TEST_F(Executable, RatesKeepTheOrderOfTheFile) {
   ASSERT_EQ(sphk(small_run).code, 0);
-  const Result result = sphk("rates uniform-run/snap_0001.hdf5 --scheme gadget2 --neighbours 42 --out rates.hdf5 --split");
+  const Result result =
+      sphk("rates uniform-run/snap_0001.hdf5 --scheme gadget2 --neighbours 42 --out rates.hdf5 --split");
   EXPECT_EQ(result.code, 0) << result.text;
   const Result info = sphk("info rates.hdf5");
   EXPECT_EQ(info.code, 0) << info.text;
@@ -151,7 +156,8 @@ TEST_F(Executable, ListShowInfoAndCheckWork) {
 
 // A time-step of 25 times the stable one blows up.
 TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
-  const Result result = sphk("run noh -n 8 --set scene.dimension=2 --set scene.lattice=cubic --set time.courant=10 --out bad");
+  const Result result =
+      sphk("run noh -n 8 --set scene.dimension=2 --set scene.lattice=cubic --set time.courant=10 --out bad");
   EXPECT_EQ(result.code, 3) << result.text;
   EXPECT_NE(result.text.find("its last snapshot is snap_"), std::string::npos) << result.text;
   EXPECT_EQ(nlohmann::json::parse(read_text(file("bad/run.json")))["finished"], false);
@@ -161,7 +167,8 @@ TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
 TEST_F(Executable, ASignalStopsTheRunWithCode75) {
   const Result result = sphk(
       "run uniform -n 16 --set scene.lattice=cubic --t-end 1000 --out stopped & pid=$!; "
-      "for k in $(seq 300); do [ -e stopped/snap_0000.hdf5 ] && break; sleep 0.1; done; sleep 0.5; kill -TERM $pid; wait $pid");
+      "for k in $(seq 300); do [ -e stopped/snap_0000.hdf5 ] && break; sleep 0.1; done; sleep 0.5; kill -TERM $pid; "
+      "wait $pid");
   EXPECT_EQ(result.code, 75) << result.text;
   EXPECT_TRUE(std::filesystem::exists(file("stopped/snap_0001.hdf5"))) << result.text;
   EXPECT_EQ(nlohmann::json::parse(read_text(file("stopped/run.json")))["finished"], false);

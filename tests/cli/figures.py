@@ -1,4 +1,4 @@
-"""`sphk plot` of small runs gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
+"""`sphk plot` gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
 
 import os
 import subprocess

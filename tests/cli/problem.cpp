@@ -50,9 +50,14 @@ TEST(Problem, ErrorsOfTheFileAndOfTheCommandLineComeTogether) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "my.toml").string();
   std::ofstream(path) << "scene = \"sod\"\n[sph]\nneighbors = 60\n";
-  const std::string text = message_of(path, {{"sph.kernal", "cs", "--set sph.kernal=cs"}, {"time.end", "soon", "--t-end soon"}});
-  EXPECT_NE(text.find("my.toml:3:1: there is no key \"sph.neighbors\"; did you mean \"sph.neighbours\"?"), std::string::npos) << text;
-  EXPECT_NE(text.find("--set sph.kernal=cs: there is no key \"sph.kernal\"; did you mean \"sph.kernel\"?"), std::string::npos) << text;
+  const std::string text =
+      message_of(path, {{"sph.kernal", "cs", "--set sph.kernal=cs"}, {"time.end", "soon", "--t-end soon"}});
+  EXPECT_NE(text.find("my.toml:3:1: there is no key \"sph.neighbors\"; did you mean \"sph.neighbours\"?"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("--set sph.kernal=cs: there is no key \"sph.kernal\"; did you mean \"sph.kernel\"?"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("--t-end soon: time.end = soon: a number is wanted here"), std::string::npos) << text;
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void touch(const fs::path& path) { std::ofstream(path) << "x"; }
+void touch(const fs::path& path) {
+  std::ofstream(path) << "x";
+}
 
 TEST(RunFolder, WithoutANameTakesTheNextFreeOne) {
   const TemporaryFolder folder;

@@ -102,7 +102,8 @@ TEST_F(RunLoopTest, OutputsLieAtEqualIntervalsOfTimeAndNoStepPassesThem) {
   EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 4}), RunLoop::End::finished);
   EXPECT_EQ(times(), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   EXPECT_EQ(steps, 16);  // four to each quarter: 0.07, 0.14, 0.21, 0.25
-  for (int k = 0; k <= 4; ++k) EXPECT_TRUE(std::filesystem::exists(folder.path() / ("snap_000" + std::to_string(k) + ".hdf5")));
+  for (int k = 0; k <= 4; ++k)
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / ("snap_000" + std::to_string(k) + ".hdf5")));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "snap_0005.hdf5"));
 }
 

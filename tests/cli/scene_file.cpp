@@ -10,8 +10,10 @@ namespace {
 
 Settings example_settings() {
   Settings settings;
-  settings.declare({.name = "sph.kernel", .value = std::string("cs"), .doc = "smoothing kernel", .choices = {"cs", "hoct4"}});
-  settings.declare({.name = "sph.neighbours", .value = 48.0, .doc = "neighbour number", .choices = {}, .min = 1, .max = 1e6});
+  settings.declare(
+      {.name = "sph.kernel", .value = std::string("cs"), .doc = "smoothing kernel", .choices = {"cs", "hoct4"}});
+  settings.declare(
+      {.name = "sph.neighbours", .value = 48.0, .doc = "neighbour number", .choices = {}, .min = 1, .max = 1e6});
   settings.declare({.name = "time.steps", .value = std::int64_t{0}, .doc = "limit of steps", .choices = {}, .min = 0});
   settings.declare({.name = "scene.fast", .value = false, .doc = "a flag", .choices = {}});
   return settings;
@@ -32,7 +34,8 @@ class SceneFileTest : public testing::Test {
 
 TEST_F(SceneFileTest, SetsKeysOfSectionsAndOfDottedNames) {
   EXPECT_TRUE(problems("scene.name = \"sod\"\nscene.fast = true\ntime.steps = 7\n[sph]\nkernel = \"hoct4\"\n"
-                       "neighbours = 442\n").empty());
+                       "neighbours = 442\n")
+                  .empty());
   EXPECT_EQ(settings.text("sph.kernel"), "hoct4");
   EXPECT_EQ(settings.real("sph.neighbours"), 442);  // an integer where a real is wanted
   EXPECT_EQ(settings.integer("time.steps"), 7);
@@ -50,9 +53,10 @@ TEST_F(SceneFileTest, FindsTheSceneInBothSpellings) {
 TEST_F(SceneFileTest, AnUnknownKeyIsShownWithLineColumnCaretAndNearestName) {
   const auto found = problems("scene = \"sod\"\n\n[sph]\n  kernal = \"cs\"\n");
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0], path().string() + ":4:3: there is no key \"sph.kernal\"; did you mean \"sph.kernel\"?\n"
-                                        " 4 |   kernal = \"cs\"\n"
-                                        "   |   ^");
+  EXPECT_EQ(found[0], path().string() +
+                          ":4:3: there is no key \"sph.kernal\"; did you mean \"sph.kernel\"?\n"
+                          " 4 |   kernal = \"cs\"\n"
+                          "   |   ^");
 }
 
 TEST_F(SceneFileTest, AWrongValueIsShownAtTheValue) {
@@ -64,8 +68,9 @@ TEST_F(SceneFileTest, AWrongValueIsShownAtTheValue) {
 }
 
 TEST_F(SceneFileTest, AllErrorsComeInOnePass) {
-  const auto found = problems("[sph]\nkernal = \"cs\"\nneighbours = -3\n[time]\nsteps = \"many\"\nend_ = 1\n"
-                              "[scene]\nfast = [1, 2]\n");
+  const auto found = problems(
+      "[sph]\nkernal = \"cs\"\nneighbours = -3\n[time]\nsteps = \"many\"\nend_ = 1\n"
+      "[scene]\nfast = [1, 2]\n");
   ASSERT_EQ(found.size(), 5u);
   for (std::size_t k = 0; k < 5; ++k) {
     const int line[] = {2, 3, 5, 6, 8};

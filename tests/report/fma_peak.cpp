@@ -10,7 +10,8 @@ TEST(FmaPeak, IsAPlausibleRate) {
   const FmaPeak peak = measure_fma_peak();
   EXPECT_GT(peak.single, 2e8);
   EXPECT_LT(peak.single, 1e15);
-  // A register holds twice as many floats as doubles where it holds several, else equally many; the rest is timing noise.
+  // A register holds twice as many floats as doubles where it holds several, else equally many; the rest is timing
+  // noise.
   EXPECT_GT(peak.single / peak.twofold, 0.5);
   EXPECT_LT(peak.single / peak.twofold, 4);
 }

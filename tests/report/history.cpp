@@ -46,11 +46,28 @@ TEST(History, HoldsEveryColumnOfTheContract) {
   step.step = 42, step.time = 0.1, step.dt = 1e-3;
   History(path).add(step, totals, {.energy = 0.5}, {{"l1_v", 0.04}});
   const std::string text = read_text(path);
-  const std::pair<const char*, double> expected[] = {
-      {"step", 42}, {"time", 0.1}, {"dt", 1e-3}, {"kinetic_energy", 0.25}, {"thermal_energy", 2}, {"total_energy", 2.25},
-      {"momentum_x", 1}, {"momentum_y", 2}, {"momentum_z", 3}, {"angular_momentum_x", 4}, {"angular_momentum_y", 5},
-      {"angular_momentum_z", 6}, {"mass", 1.5}, {"max_speed", 7}, {"min_rho", 8}, {"max_rho", 9}, {"min_P", 10},
-      {"max_P", 11}, {"min_A", 12}, {"max_A", 13}, {"energy_drift", 0.5}, {"l1_v", 0.04}};
+  const std::pair<const char*, double> expected[] = {{"step", 42},
+                                                     {"time", 0.1},
+                                                     {"dt", 1e-3},
+                                                     {"kinetic_energy", 0.25},
+                                                     {"thermal_energy", 2},
+                                                     {"total_energy", 2.25},
+                                                     {"momentum_x", 1},
+                                                     {"momentum_y", 2},
+                                                     {"momentum_z", 3},
+                                                     {"angular_momentum_x", 4},
+                                                     {"angular_momentum_y", 5},
+                                                     {"angular_momentum_z", 6},
+                                                     {"mass", 1.5},
+                                                     {"max_speed", 7},
+                                                     {"min_rho", 8},
+                                                     {"max_rho", 9},
+                                                     {"min_P", 10},
+                                                     {"max_P", 11},
+                                                     {"min_A", 12},
+                                                     {"max_A", 13},
+                                                     {"energy_drift", 0.5},
+                                                     {"l1_v", 0.04}};
   for (const auto& [name, value] : expected) EXPECT_EQ(column(text, name, 0), value) << name;
 }
 

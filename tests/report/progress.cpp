@@ -59,9 +59,8 @@ TEST(Progress, AJsonLogIsOneObjectALine) {
 }
 
 TEST(Progress, TheBarShowsThePartThatIsDone) {
-  const std::string text = printed([](std::FILE* file) {
-    Progress(ProgressStyle::bar, {.from = 0, .to = 0.1}, file).report(example(), 7000, 0);
-  });
+  const std::string text = printed(
+      [](std::FILE* file) { Progress(ProgressStyle::bar, {.from = 0, .to = 0.1}, file).report(example(), 7000, 0); });
   EXPECT_NE(text.find("[##########..........]  50 %"), std::string::npos) << text;  // t = 0.05 of 0.1, 20 characters
   EXPECT_EQ(text.back(), '\n');                                                     // the bar is closed at the end
 }

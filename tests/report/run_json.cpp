@@ -27,12 +27,37 @@ RunRecord example() {
 // The keys that scripts read.
 TEST(RunJson, HasEveryKeyOfTheContract) {
   const auto json = nlohmann::json::parse(run_json(example()));
-  for (const char* key :
-       {"scene", "scheme", "kernel", "neighbours", "n", "particles", "dimension", "precision", "backend", "threads",
-        "steps", "updates", "pair_interactions", "wall_seconds", "cpu_seconds", "setup_seconds", "output_seconds",
-        "seconds_by_phase", "updates_per_second", "peak_memory_bytes", "bytes_per_particle", "flops_per_second",
-        "share_of_peak", "conservation", "errors", "left_out", "warnings", "version", "git_revision", "compiler",
-        "machine"})
+  for (const char* key : {"scene",
+                          "scheme",
+                          "kernel",
+                          "neighbours",
+                          "n",
+                          "particles",
+                          "dimension",
+                          "precision",
+                          "backend",
+                          "threads",
+                          "steps",
+                          "updates",
+                          "pair_interactions",
+                          "wall_seconds",
+                          "cpu_seconds",
+                          "setup_seconds",
+                          "output_seconds",
+                          "seconds_by_phase",
+                          "updates_per_second",
+                          "peak_memory_bytes",
+                          "bytes_per_particle",
+                          "flops_per_second",
+                          "share_of_peak",
+                          "conservation",
+                          "errors",
+                          "left_out",
+                          "warnings",
+                          "version",
+                          "git_revision",
+                          "compiler",
+                          "machine"})
     EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"energy", "momentum", "angular_momentum", "mass"})
     EXPECT_TRUE(json["conservation"].contains(key)) << key;

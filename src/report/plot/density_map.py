@@ -1,4 +1,4 @@
-"""A slice through the density: the particles' own values, weighted by a smoothing kernel at the centre of each pixel."""
+"""A slice through the density: the particles' values, weighted by a smoothing kernel at the centre of each pixel."""
 
 import numpy as np
 from matplotlib.colors import LogNorm, Normalize
@@ -81,9 +81,9 @@ def draw_density_map(snapshot, path):
     where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
     axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
     bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
-    logarithmic = isinstance(norm, LogNorm)
-    scale = {"ticks": LogLocator(subs=(1, 2, 5)), "format": FuncFormatter(lambda value, _: f"{value:g}")} if logarithmic else {}
-    figure.colorbar(picture, cax=bar, label=LABELS["rho"], **scale)
-    if logarithmic:
-        bar.minorticks_off()
+    colours = figure.colorbar(picture, cax=bar, label=LABELS["rho"])
+    if isinstance(norm, LogNorm):
+        colours.locator = LogLocator(subs=(1, 2, 5))
+        colours.formatter = FuncFormatter(lambda value, _: f"{value:g}")
+        colours.minorticks_off()
     save(figure, path)

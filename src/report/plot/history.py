@@ -5,7 +5,12 @@ import csv
 import numpy as np
 from style import LINES, MARKERS, plt, save
 
-DRIFTS = {"energy_drift": "energy", "momentum_drift": "momentum", "angular_momentum_drift": "angular momentum", "mass_drift": "mass"}
+DRIFTS = {
+    "energy_drift": "energy",
+    "momentum_drift": "momentum",
+    "angular_momentum_drift": "angular momentum",
+    "mass_drift": "mass",
+}
 SYMBOLS = {"v": "$v$", "rho": r"$\rho$", "P": "$P$"}
 ENERGIES = {"total_energy": "total", "kinetic_energy": "kinetic", "thermal_energy": "thermal"}
 
@@ -25,7 +30,8 @@ def errors_at(history, time):
     row = int(np.argmin(np.abs(times - time)))
     if abs(times[row] - time) > 1e-6 * max(np.ptp(times), 1e-300):
         return {}
-    return {name[3:]: values[row] for name, values in history.items() if name.startswith("l1_") and np.isfinite(values[row])}
+    norms = {name[3:]: values[row] for name, values in history.items() if name.startswith("l1_")}
+    return {name: norm for name, norm in norms.items() if np.isfinite(norm)}
 
 
 def draw_lines(axes, history, names, first=0, floor=-np.inf):
@@ -36,7 +42,8 @@ def draw_lines(axes, history, names, first=0, floor=-np.inf):
                   color=LINES[k % len(LINES)], label=label)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(r"time $t$")
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3, columnspacing=1.2, handlelength=1.6)
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3,
+                columnspacing=1.2, handlelength=1.6)
 
 
 def draw_history(history, title, path):

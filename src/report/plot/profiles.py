@@ -32,8 +32,9 @@ def draw_panel(axes, snapshot, name, error):
     s, y = snapshot.abscissa(), snapshot.value(name)
     inside = (s >= low) & (s < high) & np.isfinite(y)
     s, y = s[inside], y[inside]
-    shown = slice(None) if len(s) <= MOST_POINTS else np.random.default_rng(1).choice(len(s), MOST_POINTS, replace=False)
-    axes.plot(s[shown], y[shown], ".", ms=5 if len(s) < 3000 else 3, color=PARTICLES, mew=0, rasterized=True, label="particles")
+    shown = np.random.default_rng(1).permutation(len(s))[:MOST_POINTS]
+    size = 5 if len(s) < 3000 else 3
+    axes.plot(s[shown], y[shown], ".", ms=size, color=PARTICLES, mew=0, rasterized=True, label="particles")
     heights = list(y)
     if len(s):
         axes.plot(*bin_means(s, y, low, high), "o", ms=5, mfc="white", mec=MEAN, mew=1.3, label="mean in bins")
@@ -55,7 +56,8 @@ def draw_profiles(snapshot, errors, path):
     names = [name for name in item["fields"] if snapshot.can_show(name)]
     columns = min(len(names), 3)
     rows = -(-len(names) // columns)
-    figure, panels = plt.subplots(rows, columns, figsize=(4.9 * columns, 4.1 * rows + 0.9), squeeze=False, constrained_layout=True)
+    size = (4.9 * columns, 4.1 * rows + 0.9)
+    figure, panels = plt.subplots(rows, columns, figsize=size, squeeze=False, constrained_layout=True)
     for axes, name in zip(panels.flat, names):
         draw_panel(axes, snapshot, name, errors.get(name))
     for axes in list(panels.flat)[len(names):]:

@@ -1,4 +1,4 @@
-"""Looks shared by all figures: colours that colour-blind readers tell apart (Okabe and Ito), sizes readable at half size."""
+"""Looks of all figures: colours that colour-blind readers tell apart (Okabe and Ito), sizes readable at half size."""
 
 import matplotlib
 
