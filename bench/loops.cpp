@@ -4,7 +4,8 @@
 #include "kernels/smoothing/hoct.hpp"
 #include "src/engine/loading.hpp"
 #include "src/engine/output.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/gadget2.hpp"
+#include "src/schemes/sph.hpp"
 
 namespace sphk::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include "kernels/smoothing/johnson.hpp"
 #include "kernels/terms/apart.hpp"
 #include "kernels/terms/density.hpp"
-#include "kernels/terms/signal_velocity.hpp"
+#include "kernels/terms/zeroth_order_error.hpp"
 #include "src/engine/output.hpp"
 
 namespace sphk {

@@ -1,4 +1,4 @@
-#include "src/schemes/classic.hpp"
+#include "src/schemes/gadget2.hpp"
 #include "src/schemes/instantiate.hpp"
 
 namespace sphk {

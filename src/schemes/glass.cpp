@@ -1,4 +1,6 @@
 #include "kernels/passes/damping.hpp"
+#include "kernels/terms/pressure_gradient_conservative.hpp"
+#include "kernels/terms/signal_velocity.hpp"
 #include "src/schemes/classic.hpp"
 #include "src/schemes/instantiate.hpp"
 

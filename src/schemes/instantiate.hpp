@@ -2,7 +2,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "kernels/smoothing/tabulated.hpp"
-#include "kernels/terms/pressure_gradient.hpp"
+#include "kernels/terms/pressure_work.hpp"
 #include "src/engine/engine.hpp"
 #include "src/schemes/instantiation.hpp"
 
@@ -46,7 +46,7 @@ SchemeDescription describe_scheme() {
 template <template <int, class, class> class S, int D, class T, class... K>
 void append(Instantiations& rows, const std::string& scheme, const std::string& energy, List<K...>) {
   const std::string precision = std::is_same_v<T, float> ? "mixed" : "double";
-  const auto add = [&]<class Kernel>() {
+  [[maybe_unused]] const auto add = [&]<class Kernel>() {
     std::string kernel;
     if constexpr (!std::is_same_v<Kernel, Tabulated>) kernel = Kernel::name;
     using Instance = S<D, Kernel, T>;

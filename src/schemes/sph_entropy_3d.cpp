@@ -1,5 +1,5 @@
-#include "src/schemes/classic.hpp"
 #include "src/schemes/instantiate.hpp"
+#include "src/schemes/sph.hpp"
 
 namespace sphk {
 

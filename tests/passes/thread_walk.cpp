@@ -3,7 +3,7 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/loading.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 
 namespace sphk::test {

@@ -3,7 +3,7 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/engine.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/gadget2.hpp"
 
 // Every pass and one scheme per dimension through nvcc and its linker. Where there is a GPU it also runs: a lattice at
 // rest with one pressure stays at rest, for the forces on a particle of a periodic lattice cancel.

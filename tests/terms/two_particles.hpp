@@ -5,9 +5,14 @@
 #include "kernels/cells/pair.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/terms/density.hpp"
-#include "kernels/terms/pressure_gradient.hpp"
+#include "kernels/terms/pressure_gradient_conservative.hpp"
+#include "kernels/terms/pressure_gradient_sph.hpp"
+#include "kernels/terms/pressure_gradient_tsph.hpp"
+#include "kernels/terms/pressure_work.hpp"
 #include "kernels/terms/signal_velocity.hpp"
-#include "kernels/terms/viscosity.hpp"
+#include "kernels/terms/viscosity_gingold_monaghan.hpp"
+#include "kernels/terms/viscosity_signal_velocity.hpp"
+#include "kernels/terms/zeroth_order_error.hpp"
 
 namespace sphk::test {
 

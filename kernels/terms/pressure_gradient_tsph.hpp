@@ -1,0 +1,21 @@
+#pragma once
+
+#include "kernels/cells/pair.hpp"
+#include "kernels/terms/term_set.hpp"
+
+namespace sphk {
+
+/// Pressure force of TSPH, OSPH and SPHS, S12 eq 7: dv_i/dt = - sum_j m_j (P_i + P_j)/(rho_i rho_j) grad Wbar.
+struct PressureGradientTsph : PlainTerm {
+  static constexpr const char* label = "Pressure";
+  static constexpr const char* name = "pressure gradient, (P_i + P_j)/(rho_i rho_j) (S12 eq 7)";
+  using PlainTerm::PlainTerm;
+  using Reads = List<Position, InverseSupport, Mass, Pressure, InverseDensity>;
+  using Adds = List<Acceleration>;
+  static constexpr int flops = 10;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
+    sum.a -= (j.m * (i.P + j.P) * i.rho_inv * j.rho_inv) * ij.grad_W;
+  }
+};
+
+}  // namespace sphk

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "kernels/cells/pair.hpp"
+#include "kernels/terms/term_set.hpp"
+
+namespace sphk {
+
+namespace detail {
+/// dv_i/dt = - m_j Pi_ij grad Wbar and its heat du_i/dt = (1/2) m_j Pi_ij v_ij . grad Wbar: what i loses j's heat gains.
+template <class P>
+KOKKOS_FORCEINLINE_FUNCTION void add_viscous_pair(auto& sum, const auto& i, const auto& j, const auto& ij,
+                                                  const P& Pi) {
+  const P m_Pi = j.m * Pi;
+  sum.a -= m_Pi * ij.grad_W;
+  sum.du = sum.du + P(lane_t<P>(0.5)) * m_Pi * dot(i.v - j.v, ij.grad_W);
+}
+}  // namespace detail
+
+}  // namespace sphk
