@@ -17,6 +17,7 @@ struct CellTree {
   int levels = 0;
   int first[max_levels + 1] = {};  ///< where each level starts in `nodes`
   Kokkos::View<Bounds<D>*, MemorySpace> nodes;
+  Kokkos::View<Bounds<D>, MemorySpace> all;  ///< where bounds_of_all() puts its result
   Domain<D> domain{};
 
   CellTree() = default;
@@ -30,6 +31,7 @@ struct CellTree {
     }
     first[levels] = total;
     nodes = Kokkos::View<Bounds<D>*, MemorySpace>("cell tree", total);
+    all = Kokkos::View<Bounds<D>, MemorySpace>("cell tree, all");
   }
 
   KOKKOS_INLINE_FUNCTION int count(int level) const { return first[level + 1] - first[level]; }
@@ -93,18 +95,16 @@ namespace detail {
 template <int D>
 struct CopyRoot {
   CellTree<D> tree;
-  Kokkos::View<Bounds<D>, MemorySpace> to;
-  KOKKOS_INLINE_FUNCTION void operator()(int) const { to() = root(tree); }
+  KOKKOS_INLINE_FUNCTION void operator()(int) const { tree.all() = root(tree); }
 };
 }  // namespace detail
 
 /// root() brought to the host.
 template <int D>
 Bounds<D> bounds_of_all(const CellTree<D>& tree) {
-  Kokkos::View<Bounds<D>, MemorySpace> on_device("root box");
-  Kokkos::parallel_for("root box", Kokkos::RangePolicy<ExecutionSpace>(0, 1), detail::CopyRoot<D>{tree, on_device});
+  Kokkos::parallel_for("root box", Kokkos::RangePolicy<ExecutionSpace>(0, 1), detail::CopyRoot<D>{tree});
   Bounds<D> all;
-  Kokkos::deep_copy(ExecutionSpace(), Kokkos::View<Bounds<D>, Kokkos::HostSpace>(&all), on_device);
+  Kokkos::deep_copy(ExecutionSpace(), Kokkos::View<Bounds<D>, Kokkos::HostSpace>(&all), tree.all);
   ExecutionSpace().fence("root box");
   return all;
 }

@@ -56,15 +56,17 @@ struct Kokkos::reduction_identity<sphk::detail::CountRange> {
 
 namespace sphk {
 
-/// True neighbours, r < h_i, self included: minimum, mean and maximum into the report.
+template <int D>
+using CountColumns = Columns<D, List<NeighbourCount>>;
+
+/// True neighbours, r < h_i, self included: into `counts`, and their minimum, mean and maximum into the report.
 template <class L>
-void count_neighbours(const Particles<L>& particles, StepReport& report) {
-  if (particles.n == 0) return;
+void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report) {
   const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
-  auto counts = detail::sums_apart<TermSet<NeighbourCountSum>>(state);
+  add_pair_rates(state, TermSet<NeighbourCountSum>(particles.parameters), counts);
   detail::CountRange range;
   Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),
-                          detail::RangeOfCounts<decltype(counts)>{counts}, Kokkos::Sum<detail::CountRange>(range));
+                          detail::RangeOfCounts<CountColumns<L::dimension>>{counts}, Kokkos::Sum<detail::CountRange>(range));
   report.min_neighbours = range.lowest;
   report.max_neighbours = range.highest;
   report.mean_neighbours = range.sum / particles.n;

@@ -22,6 +22,7 @@ class Engine final : public Simulation {
 
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
       : run_{load_run<S>(particles, settings, kernel)},
+        counts_("neighbour counts", run_.state.n),
         origin_(particles.box),
         steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt) {
@@ -30,7 +31,7 @@ class Engine final : public Simulation {
     searches_ += run_.searches;
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
-    count_neighbours<Layout>(run_.state, report_);
+    count_neighbours<Layout>(run_.state, counts_, report_);
   }
 
   StepReport step(double t_end) override {
@@ -44,7 +45,7 @@ class Engine final : public Simulation {
     report_.time = run_.time;
     report_.dt = run_.dt;
     report_.updates = run_.state.n;
-    if (run_.step % count_interval == 0) count_neighbours<Layout>(run_.state, report_);
+    if (run_.step % count_interval == 0) count_neighbours<Layout>(run_.state, counts_, report_);
     costs_.updates += run_.state.n;
     costs_.pair_interactions += report_.mean_neighbours * run_.state.n;
     searches_ += run_.searches;
@@ -121,6 +122,7 @@ class Engine final : public Simulation {
   }
 
   Run<S> run_;
+  CountColumns<D> counts_;
   Box origin_;
   double steps_accept_, max_dt_;
   StepReport report_;

@@ -15,10 +15,10 @@
 
 namespace sphk {
 
-/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), ids, sort keys and cells.
+/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), neighbour counts, ids, sort keys, cells.
 template <class S>
 inline constexpr double bytes_per_particle =
-    2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
+    2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 8 + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
 
 /// Flops of one pair in a step: terms, distances and smoothing kernels of the density loop and of the rates loop.
 template <class S>
