@@ -1,6 +1,5 @@
 #pragma once
 
-#include "kernels/cells/pair.hpp"
 #include "kernels/cells/tile.hpp"
 #include "kernels/core/compress.hpp"
 

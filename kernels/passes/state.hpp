@@ -1,8 +1,8 @@
 #pragma once
 
 #include "kernels/cells/cell_tree.hpp"
-#include "kernels/cells/pair.hpp"
 #include "kernels/cells/sorter.hpp"
+#include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/term_set.hpp"
 
 namespace sphk {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/cells/pair.hpp"
+#include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/viscous_pair.hpp"
 
 namespace sphk {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/cells/pair.hpp"
+#include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/term_set.hpp"
 
 namespace sphk {

@@ -5,8 +5,8 @@ cmake_minimum_required(VERSION 3.24)
 # A folder of kernels/ may include itself and these; passes may include all of kernels/.
 set(core_may core)
 set(smoothing_may core smoothing)
-set(terms_may core smoothing cells terms)
-set(cells_may core smoothing cells)
+set(terms_may core smoothing terms)
+set(cells_may core cells)
 set(passes_may core smoothing terms cells passes)
 
 # Why `name`, as written between <> or "", may not be included by a file of kernels/${folder}; empty when it may.

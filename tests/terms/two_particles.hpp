@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/cells/pair.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
+#include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/density.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_sph.hpp"

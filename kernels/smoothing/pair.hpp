@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "kernels/core/values.hpp"
 #include "kernels/smoothing/shape.hpp"
 
@@ -27,7 +25,7 @@ namespace detail {
 template <class P>
 KOKKOS_FORCEINLINE_FUNCTION P inverse_length(const P& r2) {
   using T = lane_t<P>;
-  return P(T(1)) / sphk::sqrt(sphk::max(r2, P(std::numeric_limits<T>::min())));
+  return P(T(1)) / sphk::sqrt(sphk::max(r2, P(Kokkos::Experimental::norm_min_v<T>)));
 }
 }  // namespace detail
 
