@@ -10,7 +10,8 @@ inline constexpr int fan_out = 8;     ///< children of a node
 inline constexpr int max_levels = 12;
 
 /// Bounding boxes over sorted particles. A node of level l covers the particles [k 8^(l+1), (k+1) 8^(l+1)): level 0 are
-/// sub-cells, level 1 cells, and so on up to a top level of at most 8 nodes. The order of the particles makes them compact.
+/// sub-cells, level 1 cells, and so on up to a top level of at most 8 nodes. The order of the particles makes them
+/// compact.
 template <int D>
 struct CellTree {
   int n = 0;

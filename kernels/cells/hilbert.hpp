@@ -7,7 +7,9 @@ namespace sphk {
 
 /// Bits per axis of a space-filling curve's key: 63 in 3D, 62 in 2D, 62 in 1D.
 template <int D>
-inline constexpr int curve_bits = D == 3 ? 21 : D == 2 ? 31 : 62;
+inline constexpr int curve_bits = D == 3   ? 21
+                                  : D == 2 ? 31
+                                           : 62;
 
 /// Position along the Hilbert curve of the lattice cell `a`, each coordinate below 2^curve_bits (Skilling 2004).
 template <int D>

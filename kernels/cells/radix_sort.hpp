@@ -7,8 +7,8 @@
 
 namespace sphk {
 
-/// Stable parallel sort of (key, index) pairs by 8-bit digits, least significant first. Only the digits in which the keys
-/// differ are sorted. The result does not depend on the number of threads.
+/// Stable parallel sort of (key, index) pairs by 8-bit digits, least significant first. Only the digits in which the
+/// keys differ are sorted. The result does not depend on the number of threads.
 class RadixSort {
  public:
   using Keys = Kokkos::View<std::uint64_t*, MemorySpace>;
@@ -98,16 +98,14 @@ inline void RadixSort::sort() {
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n), each_block(0, blocks_);
   std::uint64_t varying = 0;
   Kokkos::parallel_for("sort: indices", all, detail::FillIndices{indices});
-  Kokkos::parallel_reduce("sort: varying bits", all, detail::VaryingBits{keys},
-                          Kokkos::BOr<std::uint64_t>(varying));
+  Kokkos::parallel_reduce("sort: varying bits", all, detail::VaryingBits{keys}, Kokkos::BOr<std::uint64_t>(varying));
   for (int shift = 0; shift < 64; shift += 8) {
     if (((varying >> shift) & 255) == 0) continue;
     Kokkos::parallel_for("sort: count", each_block, detail::DigitCount{keys, counts_, blocks_, shift});
     Kokkos::parallel_scan("sort: scan", Kokkos::RangePolicy<ExecutionSpace>(0, digits * blocks_),
                           detail::DigitScan{counts_});
-    Kokkos::parallel_for(
-        "sort: scatter", each_block,
-        detail::DigitScatter{keys, other_keys_, indices, other_indices_, counts_, blocks_, shift});
+    Kokkos::parallel_for("sort: scatter", each_block,
+                         detail::DigitScatter{keys, other_keys_, indices, other_indices_, counts_, blocks_, shift});
     std::swap(keys, other_keys_);
     std::swap(indices, other_indices_);
   }

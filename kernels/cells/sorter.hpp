@@ -67,8 +67,10 @@ struct OrderBlock {
         indices(a) = indices(b);
         indices(b) = swapped;
       }
-      if (middle <= b) hi = b;
-      else lo = b + 1;
+      if (middle <= b)
+        hi = b;
+      else
+        lo = b + 1;
     }
   }
 
@@ -106,8 +108,9 @@ struct PermuteVector {
 
 using Ids = Kokkos::View<std::uint64_t*, MemorySpace>;
 
-/// Sorts particles in space so that aligned runs of 8, 64, 512, ... of them are compact: along the Hilbert curve, then as a
-/// kd tree inside blocks. Wraps positions into the periodic box. Holds the second buffers, so nothing is allocated later.
+/// Sorts particles in space so that aligned runs of 8, 64, 512, ... of them are compact: along the Hilbert curve, then
+/// as a kd tree inside blocks. Wraps positions into the periodic box. Holds the second buffers, so nothing is allocated
+/// later.
 template <int D, class C>
 class Sorter {
  public:

@@ -5,8 +5,8 @@
 
 namespace sphk {
 
-/// Neighbours for one thread per particle: every particle walks the tree on its own. What a GPU runs, and an independent check
-/// of the tiles on a host.
+/// Neighbours for one thread per particle: every particle walks the tree on its own. What a GPU runs, and an
+/// independent check of the tiles on a host.
 template <class T, int D, class FieldList, Reach mode, class C>
 struct ThreadWalk {
   const CellTree<D>& tree;
@@ -19,7 +19,8 @@ struct ThreadWalk {
     return b;
   }
   KOKKOS_INLINE_FUNCTION Values<T, D, Union<FieldList, List<InverseSupport>>> target(int i) const {
-    return load_relative<T, D>(Union<FieldList, List<InverseSupport>>{}, columns, Frame<D>::of(point(i), columns, i), i);
+    return load_relative<T, D>(Union<FieldList, List<InverseSupport>>{}, columns, Frame<D>::of(point(i), columns, i),
+                               i);
   }
   /// Calls visit(values of j) for every particle of every sub-cell in reach of particle i.
   template <class Visit>

@@ -15,9 +15,12 @@ struct Frame {
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double reference(int component) const {
-    if constexpr (std::is_same_v<F, Position>) return x[component];
-    else if constexpr (std::is_same_v<F, Velocity>) return v[component];
-    else return 0;
+    if constexpr (std::is_same_v<F, Position>)
+      return x[component];
+    else if constexpr (std::is_same_v<F, Velocity>)
+      return v[component];
+    else
+      return 0;
   }
   /// The frame of the particles around `bounds`, moving with particle i.
   template <class C>
@@ -39,7 +42,7 @@ struct Frame {
 /// Particle i as the pair arithmetic sees it: T, relative to the frame, in every lane of P.
 template <class P, int D, class... F, class C>
 KOKKOS_FORCEINLINE_FUNCTION Values<P, D, List<F...>> load_relative(List<F...>, const C& columns, const Frame<D>& frame,
-                                                                    int i) {
+                                                                   int i) {
   using T = lane_t<P>;
   Values<P, D, List<F...>> values;
   const auto fill = [&]<class G>() {

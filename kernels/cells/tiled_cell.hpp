@@ -11,8 +11,8 @@ enum class Reach {
   symmetric  ///< r < max(h_i, h_j)
 };
 
-/// One cell of at most 64 particles and the two levels of candidates that its pair loops run over: everything near the cell,
-/// and of that everything near one of its sub-cells. Lives on one thread of the host; its tiles are team scratch.
+/// One cell of at most 64 particles and the two levels of candidates that its pair loops run over: everything near the
+/// cell, and of that everything near one of its sub-cells. Lives on one thread of the host; its tiles are team scratch.
 template <class T, int D, class FieldList, Reach mode, class C>
 class TiledCell {
  public:
@@ -20,9 +20,7 @@ class TiledCell {
   static constexpr int width = native_lanes<T>;
   using Pack = simd<T, width>;
 
-  static constexpr std::size_t scratch_bytes() {
-    return 2 * CellTile::entries * sizeof(T) + 64;
-  }
+  static constexpr std::size_t scratch_bytes() { return 2 * CellTile::entries * sizeof(T) + 64; }
 
   TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell)
       : tree_(tree), columns_(columns), cell_(cell) {
@@ -47,14 +45,16 @@ class TiledCell {
     near_.count = 0;
     reach_ = reach;
     bool whole = true;
-    walk(tree_, all, bounds(), [&](double h) { return reach_with(h); }, [&](int sub_cell, const double* shift) {
-      if (near_.count + sub_cell_size > CellTile::capacity - width) {
-        whole = false;
-        flush(false);
-        near_.count = 0;
-      }
-      append(sub_cell, shift);
-    });
+    walk(
+        tree_, all, bounds(), [&](double h) { return reach_with(h); },
+        [&](int sub_cell, const double* shift) {
+          if (near_.count + sub_cell_size > CellTile::capacity - width) {
+            whole = false;
+            flush(false);
+            near_.count = 0;
+          }
+          append(sub_cell, shift);
+        });
     flush(whole);
   }
 

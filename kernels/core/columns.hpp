@@ -17,16 +17,18 @@ inline constexpr int sub_cell_size = 8;
 using Numbers = Kokkos::View<double*, MemorySpace>;
 using HostNumbers = Kokkos::View<double*, Kokkos::HostSpace>;
 
-/// Particle state as structure of arrays: one row of doubles per component, padded so that any sub-cell can be read whole.
+/// Particle state as structure of arrays: one row of doubles per component, padded so that any sub-cell can be read
+/// whole.
 template <int D, class FieldList>
 struct Columns {
   using Fields = FieldList;
   static constexpr int size = component_count<D, Fields>;
-  Numbers data;    ///< component c of particle i is data(c * stride + i)
+  Numbers data;  ///< component c of particle i is data(c * stride + i)
   int stride = 0;
 
   Columns() = default;
-  Columns(const std::string& label, int n) : data(label, static_cast<std::size_t>(size) * padded(n)), stride(padded(n)) {}
+  Columns(const std::string& label, int n)
+      : data(label, static_cast<std::size_t>(size) * padded(n)), stride(padded(n)) {}
 
   /// An odd number of cache lines, so that rows do not share cache sets.
   static int padded(int n) { return ((n / sub_cell_size + 1) | 1) * sub_cell_size; }

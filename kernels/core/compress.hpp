@@ -47,8 +47,8 @@ alignas(64) inline constexpr auto compress_doubles = compress_orders<4, 2>();
 }  // namespace detail
 #endif
 
-/// Moves the chosen lanes of packs to the front, in order. Made once for a mask and used for many packs. A store writes all
-/// lanes of a pack: what follows the chosen ones is to be overwritten.
+/// Moves the chosen lanes of packs to the front, in order. Made once for a mask and used for many packs. A store writes
+/// all lanes of a pack: what follows the chosen ones is to be overwritten.
 template <class P>
 class Compress {
  public:
@@ -58,7 +58,9 @@ class Compress {
     if constexpr (lanes<P> == 4) order_ = load_order(detail::compress_doubles[bits].data());
 #endif
   }
-  int count() const { return std::popcount(bits_); }
+  int count() const {
+    return std::popcount(bits_);
+  }
 
   void store(lane_t<P>* to, const P& a) const {
     if constexpr (Scalar<P>) {
@@ -86,7 +88,9 @@ class Compress {
  private:
   unsigned bits_;
 #if defined(KOKKOS_ARCH_AVX2) && !defined(KOKKOS_ARCH_AVX512XEON)
-  static __m256i load_order(const int* order) { return _mm256_load_si256(reinterpret_cast<const __m256i*>(order)); }
+  static __m256i load_order(const int* order) {
+    return _mm256_load_si256(reinterpret_cast<const __m256i*>(order));
+  }
   __m256i order_{};
 #endif
 };

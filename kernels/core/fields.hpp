@@ -5,8 +5,8 @@
 
 namespace sphk {
 
-/// A field is a tag with a member template `Value<T, D>` that holds its symbol, as a number, a pack or a vector of them.
-/// Powers of length, mass and time in its unit are given for 3D.
+/// A field is a tag with a member template `Value<T, D>` that holds its symbol, as a number, a pack or a vector of
+/// them. Powers of length, mass and time in its unit are given for 3D.
 struct Position {
   static constexpr const char* name = "Coordinates";
   static constexpr bool relative = true;  ///< pair loops hold it relative to a nearby origin

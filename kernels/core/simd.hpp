@@ -61,8 +61,10 @@ using lane_t = typename detail::LaneType<P>::type;
 
 template <class P>
 inline constexpr int lanes = [] {
-  if constexpr (Scalar<P>) return 1;
-  else return static_cast<int>(P::size());
+  if constexpr (Scalar<P>)
+    return 1;
+  else
+    return static_cast<int>(P::size());
 }();
 
 template <Scalar T>
@@ -131,8 +133,10 @@ KOKKOS_FORCEINLINE_FUNCTION void store(T* to, T a) {
 /// Reads lanes<P> numbers from any address.
 template <class P>
 KOKKOS_FORCEINLINE_FUNCTION P load(const lane_t<P>* from) {
-  if constexpr (Scalar<P>) return *from;
-  else return P(from, stdx::simd_flag_default);
+  if constexpr (Scalar<P>)
+    return *from;
+  else
+    return P(from, stdx::simd_flag_default);
 }
 
 /// The sum over the lanes, in a fixed order.

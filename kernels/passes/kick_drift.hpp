@@ -6,7 +6,8 @@ namespace sphk {
 
 namespace detail {
 
-/// s + ds, but never below zero: beyond half of s the loss turns into an exponential decay (value and slope continuous).
+/// s + ds, but never below zero: beyond half of s the loss turns into an exponential decay (value and slope
+/// continuous).
 KOKKOS_INLINE_FUNCTION double positive_sum(double s, double ds) {
   return ds >= -0.5 * s ? s + ds : 0.5 * s * Kokkos::exp(2 * ds / s + 1);
 }
@@ -51,8 +52,8 @@ struct ClosingKick {
       sum += v;
     }
     if constexpr (contains<Heating, typename L::Fields>) {
-      const double ds = L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i),
-                                             state.parameters.gamma);
+      const double ds =
+          L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i), state.parameters.gamma);
       state.template at<ThermalRate>(i) = ds;
       state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
     }
@@ -65,8 +66,8 @@ struct ClosingKick {
 
 }  // namespace detail
 
-/// Opening kick over half a step, drift over a whole one, velocities and thermal variable predicted to its end; the support
-/// follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
+/// Opening kick over half a step, drift over a whole one, velocities and thermal variable predicted to its end; the
+/// support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
@@ -86,7 +87,8 @@ struct KickTimeStep {
     run.limit = {};
     if (run.state.n == 0) return;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<typename S::Layout>{run.state, run.dt}, Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<typename S::Layout>{run.state, run.dt},
+                            Kokkos::Sum<StepLimit>(run.limit));
   }
 };
 

@@ -72,8 +72,8 @@ struct PairRates {
 
 }  // namespace detail
 
-/// The sums of all terms over symmetric pairs, r < max(h_i, h_j), stored in the columns `out`, which hold what the terms add.
-/// The tree must be fitted to the present positions and supports.
+/// The sums of all terms over symmetric pairs, r < max(h_i, h_j), stored in the columns `out`, which hold what the
+/// terms add. The tree must be fitted to the present positions and supports.
 template <class Terms, class S, class Out>
 void add_pair_rates(const State<S>& state, const Terms& terms, const Out& out) {
   using Rates = detail::PairRates<S, Terms, Out>;

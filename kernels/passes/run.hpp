@@ -21,12 +21,12 @@ struct Run {
   State<S> state;
   Sorter<S::dimension, typename Particles<typename S::Layout>::Columns> sorter;
   double time = 0;
-  double dt = 0;             ///< of the step in progress
+  double dt = 0;  ///< of the step in progress
   long step = 0;
   int steps_since_sort = 0;
-  double accept = 0;         ///< relative move at which a search for h ends
-  SupportCounts searches;    ///< of the last pass
-  StepLimit limit;           ///< of the next step
+  double accept = 0;       ///< relative move at which a search for h ends
+  SupportCounts searches;  ///< of the last pass
+  StepLimit limit;         ///< of the next step
 };
 
 }  // namespace sphk

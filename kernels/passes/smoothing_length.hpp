@@ -178,8 +178,8 @@ struct FindSupport {
 
 }  // namespace detail
 
-/// Support radii, n, rho and the other gather sums of every particle, by Newton's method from the present h (S12 eq 6, 11).
-/// A search ends when its step is below accept * h; the sums are then carried over to first order.
+/// Support radii, n, rho and the other gather sums of every particle, by Newton's method from the present h (S12 eq 6,
+/// 11). A search ends when its step is below accept * h; the sums are then carried over to first order.
 template <class S>
 SupportCounts find_support(const State<S>& state, double accept) {
   using Find = detail::FindSupport<S>;

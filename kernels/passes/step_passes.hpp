@@ -5,8 +5,8 @@
 
 namespace sphk {
 
-/// Boxes of the cells; every ten steps, and when a particle strays half a period out of a periodic box, the particles are
-/// sorted in space again and wrapped.
+/// Boxes of the cells; every ten steps, and when a particle strays half a period out of a periodic box, the particles
+/// are sorted in space again and wrapped.
 struct SortedCells {
   static constexpr const char* name = "cells";
   static constexpr int sort_interval = 10;

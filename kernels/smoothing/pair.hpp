@@ -15,9 +15,12 @@ struct Smoothing {
 
 template <int D, class P>
 KOKKOS_FORCEINLINE_FUNCTION P power_of_dimension(const P& x) {
-  if constexpr (D == 1) return x;
-  else if constexpr (D == 2) return x * x;
-  else return x * x * x;
+  if constexpr (D == 1)
+    return x;
+  else if constexpr (D == 2)
+    return x * x;
+  else
+    return x * x * x;
 }
 
 namespace detail {

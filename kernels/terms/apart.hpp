@@ -56,7 +56,7 @@ struct Apart : Term {
                                               const auto& ij) const {
     Values<P, D, typename Term::Adds> own;
     set_zero(own);
-    static_cast<const Term&>(*this)(own, i, j, ij);
+    static_cast<const Term&> (*this)(own, i, j, ij);
     if constexpr (contains<Acceleration, typename Term::Adds>) {
       auto& a = static_cast<typename ApartAcceleration<Term>::template Value<P, D>&>(sum).a_apart;
       a += own.a;

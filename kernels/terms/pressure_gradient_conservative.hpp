@@ -5,8 +5,8 @@
 
 namespace sphk {
 
-/// Conservative pressure force for any masses, the exact form where h follows the number density (S12 eq B1 for equal ones):
-/// a_i = - sum_j [P_i/rho_i^2 (m_j + z_i) grad W(h_i) + (m_j/m_i) P_j/rho_j^2 (m_i + z_j) grad W(h_j)].
+/// Conservative pressure force for any masses, the exact form where h follows the number density (S12 eq B1 for equal
+/// ones): a_i = - sum_j [P_i/rho_i^2 (m_j + z_i) grad W(h_i) + (m_j/m_i) P_j/rho_j^2 (m_i + z_j) grad W(h_j)].
 struct PressureGradientConservative : PlainTerm {
   static constexpr const char* label = "Pressure";
   static constexpr const char* name = "pressure gradient, conservative with grad-h (S12 eq B1, any masses)";

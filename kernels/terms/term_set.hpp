@@ -6,16 +6,16 @@ namespace sphk {
 
 /// Numbers that terms and passes read, in code units; one set for a run.
 struct Parameters {
-  double neighbours = 48;       ///< N_n of S12 eq 11
-  double gamma = 5.0 / 3;       ///< adiabatic index
-  double courant = 0.4;         ///< C of S12 eq 43
-  double alpha = 1, beta = 2;   ///< viscosity
-  double h_max = 0;             ///< cap of the support radius
-  double max_dt = 0;            ///< cap of the time-step; 0: none
+  double neighbours = 48;      ///< N_n of S12 eq 11
+  double gamma = 5.0 / 3;      ///< adiabatic index
+  double courant = 0.4;        ///< C of S12 eq 43
+  double alpha = 1, beta = 2;  ///< viscosity
+  double h_max = 0;            ///< cap of the support radius
 };
 
-/// A term is a pure function of two particles' values, `term(sum, i, j, ij)`, which adds its share of the pair to i's sums.
-/// It declares the fields it Reads and Adds and its flops, is made from Parameters, and is branch-free in its number type.
+/// A term is a pure function of two particles' values, `term(sum, i, j, ij)`, which adds its share of the pair to i's
+/// sums. It declares the fields it Reads and Adds and its flops, is made from Parameters, and is branch-free in its
+/// number type.
 template <class... Terms>
 struct TermSet : Terms... {
   using List = sphk::List<Terms...>;

@@ -6,8 +6,8 @@
 namespace sphk {
 
 namespace detail {
-/// mu_ij = hs v_ij . r_ij/(r^2 + 0.01 hs^2) of an approaching pair, else 0; hs is half the mean support radius (Gingold &
-/// Monaghan 1983, GASOLINE's h).
+/// mu_ij = hs v_ij . r_ij/(r^2 + 0.01 hs^2) of an approaching pair, else 0; hs is half the mean support radius (Gingold
+/// & Monaghan 1983, GASOLINE's h).
 KOKKOS_FORCEINLINE_FUNCTION auto approach_mu(const auto& i, const auto& j, const auto& ij) {
   using P = std::remove_cvref_t<decltype(i.h)>;
   using T = lane_t<P>;
@@ -17,8 +17,8 @@ KOKKOS_FORCEINLINE_FUNCTION auto approach_mu(const auto& i, const auto& j, const
 }
 }  // namespace detail
 
-/// Gingold & Monaghan's (1983) viscosity as in R10, with the Balsara switch: Pi_ij = (-alpha cbar mu + beta mu^2)/rho_ij,
-/// mu = hs v_ij . r_ij/(r^2 + 0.01 hs^2) for approaching pairs, hs half the mean support radius.
+/// Gingold & Monaghan's (1983) viscosity as in R10, with the Balsara switch: Pi_ij = (-alpha cbar mu + beta
+/// mu^2)/rho_ij, mu = hs v_ij . r_ij/(r^2 + 0.01 hs^2) for approaching pairs, hs half the mean support radius.
 struct ViscosityGingoldMonaghan {
   static constexpr const char* label = "Viscosity";
   static constexpr const char* name = "viscosity, Gingold & Monaghan 1983 with the Balsara switch (R10)";

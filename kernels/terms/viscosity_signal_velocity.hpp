@@ -5,11 +5,12 @@
 
 namespace sphk {
 
-/// Signal-velocity viscosity (Monaghan 1997; S12 eq 29-31 with a constant alpha) with the Balsara factor, as in GADGET-2:
-/// Pi_ij = -(alpha/2) v_sig w_ij / rho_ij for approaching pairs, v_sig = c_i + c_j - 3 w_ij.
+/// Signal-velocity viscosity (Monaghan 1997; S12 eq 29-31 with a constant alpha) with the Balsara factor, as in
+/// GADGET-2: Pi_ij = -(alpha/2) v_sig w_ij / rho_ij for approaching pairs, v_sig = c_i + c_j - 3 w_ij.
 struct ViscositySignalVelocity {
   static constexpr const char* label = "Viscosity";
-  static constexpr const char* name = "viscosity, signal velocity with the Balsara switch (S12 eq 29-31, constant alpha)";
+  static constexpr const char* name =
+      "viscosity, signal velocity with the Balsara switch (S12 eq 29-31, constant alpha)";
   using Reads = List<Position, InverseSupport, Mass, Velocity, Density, SoundSpeed, Balsara>;
   using Adds = List<Acceleration, Heating>;
   static constexpr int flops = 32;

@@ -6,7 +6,8 @@
 namespace sphk {
 
 namespace detail {
-/// dv_i/dt = - m_j Pi_ij grad Wbar and its heat du_i/dt = (1/2) m_j Pi_ij v_ij . grad Wbar: what i loses j's heat gains.
+/// dv_i/dt = - m_j Pi_ij grad Wbar and its heat du_i/dt = (1/2) m_j Pi_ij v_ij . grad Wbar: what i loses j's heat
+/// gains.
 template <class P>
 KOKKOS_FORCEINLINE_FUNCTION void add_viscous_pair(auto& sum, const auto& i, const auto& j, const auto& ij,
                                                   const P& Pi) {

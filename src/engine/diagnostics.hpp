@@ -66,7 +66,8 @@ void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimen
   add_pair_rates(state, TermSet<NeighbourCountSum>(particles.parameters), counts);
   detail::CountRange range;
   Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),
-                          detail::RangeOfCounts<CountColumns<L::dimension>>{counts}, Kokkos::Sum<detail::CountRange>(range));
+                          detail::RangeOfCounts<CountColumns<L::dimension>>{counts},
+                          Kokkos::Sum<detail::CountRange>(range));
   report.min_neighbours = range.lowest;
   report.max_neighbours = range.highest;
   report.mean_neighbours = range.sum / particles.n;
@@ -84,8 +85,8 @@ Field apart_field(const HostColumns<L>& host, const C& columns, std::string name
   out.values.assign(host.order.size() * out.components, 0.0);
   for (std::size_t i = 0; i < host.order.size(); ++i)
     for (int k = 0; k < components<F, D>; ++k)
-      out.values[i * out.components + k] =
-          data((component_offset<D, F, typename C::Fields> + k) * static_cast<std::size_t>(columns.stride) + host.order[i]);
+      out.values[i * out.components + k] = data(
+          (component_offset<D, F, typename C::Fields> + k) * static_cast<std::size_t>(columns.stride) + host.order[i]);
   return out;
 }
 
@@ -126,7 +127,8 @@ std::vector<Field> take_rates(const State<S>& state, bool split) {
   const UnitExponents entropy_rate{2 + D * (gamma - 1), 1 - gamma, -3};
   fields.push_back(detail::scalar_field(host, "EntropyRate", "dA/dt of all terms", entropy_rate, [&](int i) {
     const double rho = host.template at<Density>(i);
-    const double work = -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
+    const double work =
+        -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
     return Form::entropy_rate(host.template at<ThermalRate>(i), work, rho, gamma);
   }));
   using Terms = typename S::RateTerms::List;

@@ -105,10 +105,13 @@ class Engine final : public Simulation {
   void note_limiting_particle() {
     const int i = run_.limit.particle;
     if (i < 0) return;
-    const auto one = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(run_.state.ids, std::pair(i, i + 1)));
+    const auto one =
+        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(run_.state.ids, std::pair(i, i + 1)));
     report_.limiting_id = one(0);
     for (int d = 0; d < D; ++d) {
-      const auto start = (component_offset<D, Position, typename S::Fields> + d) * static_cast<std::size_t>(run_.state.columns.stride) + i;
+      const auto start = (component_offset<D, Position, typename S::Fields> + d) *
+                             static_cast<std::size_t>(run_.state.columns.stride) +
+                         i;
       report_.limiting_x[d] = detail::on_host(Kokkos::subview(run_.state.columns.data, std::pair(start, start + 1)))(0);
     }
   }

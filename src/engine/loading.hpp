@@ -47,7 +47,8 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
   auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
   using C = typename Particles<L>::Columns;
   const auto row = [&]<class F>(F, int component) {
-    return host.data() + (component_offset<D, F, typename C::Fields> + component) * static_cast<std::size_t>(state.columns.stride);
+    return host.data() +
+           (component_offset<D, F, typename C::Fields> + component) * static_cast<std::size_t>(state.columns.stride);
   };
   for (int i = 0; i < state.n; ++i) {
     for (int d = 0; d < D; ++d) {
@@ -75,8 +76,8 @@ inline double support_of_even_gas(const ParticleSet& particles, const Simulation
   return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
 }
 
-/// Largest support radius of a run: the setting; or the box's diagonal where an axis is open; or, in a periodic box, what the
-/// N_n-th image is nearer than wherever the particles are.
+/// Largest support radius of a run: the setting; or the box's diagonal where an axis is open; or, in a periodic box,
+/// what the N_n-th image is nearer than wherever the particles are.
 inline double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
   if (settings.h_max > 0) return settings.h_max;
   double diagonal2 = 0;
@@ -114,7 +115,8 @@ Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings
   detail::copy_to_columns<typename S::Layout>(run.state, particles);
   SortedCells::run(run);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
-  Kokkos::parallel_for("guess support", all, detail::GuessSupport<typename S::Layout>{run.state, support_of_even_gas(particles, settings)});
+  Kokkos::parallel_for("guess support", all,
+                       detail::GuessSupport<typename S::Layout>{run.state, support_of_even_gas(particles, settings)});
   SmoothingLength::run(run);
   Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<typename S::Layout>{run.state});
   return run;

@@ -15,10 +15,11 @@
 
 namespace sphk {
 
-/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), neighbour counts, ids, sort keys, cells.
+/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), neighbour counts, ids, sort
+/// keys, cells.
 template <class S>
-inline constexpr double bytes_per_particle =
-    2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 8 + 2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
+inline constexpr double bytes_per_particle = 2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 8 +
+                                             2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
 
 /// Flops of one pair in a step: terms, distances and smoothing kernels of the density loop and of the rates loop.
 template <class S>
@@ -74,7 +75,8 @@ struct HostColumns {
 };
 
 template <class L, class F>
-Field scalar_field(const HostColumns<L>& host, std::string name, std::string description, UnitExponents units, F value) {
+Field scalar_field(const HostColumns<L>& host, std::string name, std::string description, UnitExponents units,
+                   F value) {
   Field out{std::move(name), std::move(description), units, 1, std::vector<double>(host.order.size())};
   for (std::size_t i = 0; i < host.order.size(); ++i) out.values[i] = value(static_cast<int>(i));
   return out;
@@ -125,20 +127,23 @@ inline void require_finite(const StepLimit& limit, double time, long step) {
   if (limit.dt > 0) return;
   throw NumericsError(
       fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is not a positive number: a velocity, an "
-                  "energy or a density is not finite. Look at the last snapshot around that particle; a smaller time.courant may help.",
+                  "energy or a density is not finite. Look at the last snapshot around that particle; a smaller "
+                  "time.courant may help.",
                   step, time, limit.particle));
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {
   std::vector<std::string> warnings;
   if (counts.capped > 0)
-    warnings.push_back(fmt::format("{} searches ended at the largest support radius with fewer neighbours than asked: raise "
-                                   "sph.h_max or lower sph.neighbours",
-                                   counts.capped));
+    warnings.push_back(
+        fmt::format("{} searches ended at the largest support radius with fewer neighbours than asked: raise "
+                    "sph.h_max or lower sph.neighbours",
+                    counts.capped));
   if (counts.crowded > 0)
-    warnings.push_back(fmt::format("{} searches found more coincident particles than neighbours asked: their support holds "
-                                   "nobody else; `sphk ic check` lists them",
-                                   counts.crowded));
+    warnings.push_back(
+        fmt::format("{} searches found more coincident particles than neighbours asked: their support holds "
+                    "nobody else; `sphk ic check` lists them",
+                    counts.crowded));
   if (counts.failed > 0)
     warnings.push_back(fmt::format("{} searches for a support radius did not converge", counts.failed));
   return warnings;

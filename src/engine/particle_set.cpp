@@ -17,6 +17,8 @@ const Field& Snapshot::field(const std::string& name) const {
   return *it;
 }
 
-bool Snapshot::has(const std::string& name) const { return find(fields, name) != fields.end(); }
+bool Snapshot::has(const std::string& name) const {
+  return find(fields, name) != fields.end();
+}
 
 }  // namespace sphk

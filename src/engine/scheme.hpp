@@ -12,8 +12,9 @@ struct Passes {
   using Writes = Union<typename P::Writes...>;
 };
 
-/// A scheme: dimension, smoothing kernel, pair arithmetic (float or double), thermal variable, the sums of the density loop,
-/// the terms of the rates loop and the passes of a step. What is not listed is not compiled, not allocated, not run.
+/// A scheme: dimension, smoothing kernel, pair arithmetic (float or double), thermal variable, the sums of the density
+/// loop, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not allocated, not
+/// run.
 template <int D, class K, class T, class Form, class DensitySums, class Terms, class StepPasses>
 struct Scheme {
   static constexpr int dimension = D;
@@ -24,14 +25,16 @@ struct Scheme {
   using RateTerms = Terms;
   using Steps = StepPasses;
 
-  using Base = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support,
-                    InverseSupport>;
+  using Base =
+      List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support, InverseSupport>;
   using Known = Union<Base, typename DensityTerms::Adds, typename StepPasses::Writes>;
   static_assert(is_subset<typename RateTerms::Reads, Known>,
                 "a term reads a field that no pass of this scheme computes: add the pass or the density sum that does");
 
-  using Layout = sphk::Layout<D, Union<Base, typename DensityTerms::Reads, typename DensityTerms::Adds, typename RateTerms::Reads,
-                       typename RateTerms::Adds>, Form>;
+  using Layout = sphk::Layout<D,
+                              Union<Base, typename DensityTerms::Reads, typename DensityTerms::Adds,
+                                    typename RateTerms::Reads, typename RateTerms::Adds>,
+                              Form>;
   using Fields = typename Layout::Fields;
 };
 

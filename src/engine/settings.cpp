@@ -46,9 +46,12 @@ void check_range(const Key& key, const Value& value) {
     throw InputError(fmt::format("{} = \"{}\": choose one of {}", key.name, *text, fmt::join(key.choices, ", ")));
   }
   double number = 0;
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) number = static_cast<double>(*integer);
-  else if (const auto* real = std::get_if<double>(&value)) number = *real;
-  else return;
+  if (const auto* integer = std::get_if<std::int64_t>(&value))
+    number = static_cast<double>(*integer);
+  else if (const auto* real = std::get_if<double>(&value))
+    number = *real;
+  else
+    return;
   if (!(number >= key.min && number <= key.max))
     throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
 }
@@ -74,7 +77,9 @@ void Settings::declare(Key key) {
   keys_.push_back(std::move(key));
 }
 
-void Settings::prefer(std::string_view name, Value value) { set(name, value, Origin::scene); }
+void Settings::prefer(std::string_view name, Value value) {
+  set(name, value, Origin::scene);
+}
 
 void Settings::set(std::string_view name, const Value& value, Origin origin) {
   Key& key = const_cast<Key&>(find(name));

@@ -37,7 +37,7 @@ struct Totals {
 struct StepReport {
   long step = 0;
   double time = 0, dt = 0;
-  long updates = 0;  ///< particles whose rates were computed
+  long updates = 0;                                                    ///< particles whose rates were computed
   double min_neighbours = 0, mean_neighbours = 0, max_neighbours = 0;  ///< true neighbours, self included
   std::uint64_t limiting_id = 0;                                       ///< the particle that set dt
   Array3 limiting_x{};
@@ -46,9 +46,9 @@ struct StepReport {
 /// Running costs since the start, set-up excluded.
 struct Costs {
   long updates = 0;
-  double pair_interactions = 0;                      ///< pairs inside the support, as seen by the rates pass
-  double flops = 0;                                  ///< counted from the terms' declarations, on pairs inside the support
-  double bytes_per_particle = 0;                     ///< device memory
+  double pair_interactions = 0;   ///< pairs inside the support, as seen by the rates pass
+  double flops = 0;               ///< counted from the terms' declarations, on pairs inside the support
+  double bytes_per_particle = 0;  ///< device memory
   std::vector<std::pair<std::string, double>> phases;  ///< name, seconds, in the order of a step
 };
 

@@ -66,8 +66,8 @@ struct Kokkos::reduction_identity<sphk::detail::TotalsSum> {
 
 namespace sphk {
 
-/// Conserved sums and extremes. Positions are those of the run: in a periodic box angular momentum is about its origin and
-/// jumps when a particle is wrapped.
+/// Conserved sums and extremes. Positions are those of the run: in a periodic box angular momentum is about its origin
+/// and jumps when a particle is wrapped.
 template <class L>
 Totals totals(const Particles<L>& state) {
   detail::TotalsSum sum;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// The whole library: particles, settings, schemes, scenes, files. The smoothing kernels and terms, for code that builds
-/// schemes of its own, are under "kernels/".
+/// The whole library: particles, settings, schemes, scenes, files. The smoothing kernels and terms, for code that
+/// builds schemes of its own, are under "kernels/".
 
 #include "src/engine/particle_set.hpp"
 #include "src/engine/settings.hpp"

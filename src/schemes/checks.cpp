@@ -28,8 +28,8 @@ void check_lengths(const ParticleSet& p) {
 
 void fail(const ParticleSet& p, std::size_t i, const std::string& what, const char* remedy) {
   const std::uint64_t id = p.id.empty() ? i + 1 : p.id[i];
-  throw InputError(fmt::format("particle {} (id {}) at ({}, {}, {}): {}; {}", i, id, p.x[i][0], p.x[i][1], p.x[i][2], what,
-                               remedy));
+  throw InputError(
+      fmt::format("particle {} (id {}) at ({}, {}, {}): {}; {}", i, id, p.x[i][0], p.x[i][1], p.x[i][2], what, remedy));
 }
 
 }  // namespace
@@ -45,7 +45,8 @@ void check_runnable(const ParticleSet& p) {
       if (!std::isfinite(p.x[i][d])) fail(p, i, fmt::format("its position is {}", p.x[i][d]), "give a finite one");
       if (!std::isfinite(p.v[i][d])) fail(p, i, fmt::format("its velocity is {}", p.v[i][d]), "give a finite one");
     }
-    if (!(p.m[i] > 0 && std::isfinite(p.m[i]))) fail(p, i, fmt::format("its mass is {}", p.m[i]), "masses must be positive");
+    if (!(p.m[i] > 0 && std::isfinite(p.m[i])))
+      fail(p, i, fmt::format("its mass is {}", p.m[i]), "masses must be positive");
     if (!(p.u[i] >= 0 && std::isfinite(p.u[i])))
       fail(p, i, fmt::format("its specific energy is {}", p.u[i]), "it must be zero or positive");
     if (!p.h.empty() && !(p.h[i] >= 0 && std::isfinite(p.h[i])))
@@ -56,10 +57,10 @@ void check_runnable(const ParticleSet& p) {
 void check_runnable(const SimulationSettings& s, int dimension) {
   const double least = min_neighbours(s.kernel, dimension);
   if (!(s.neighbours > least))
-    throw InputError(
-        fmt::format("sph.neighbours = {}: kernel {} in {}D counts {:.4g} for the particle itself, so no support radius gives "
-                    "fewer; ask for more than that",
-                    s.neighbours, s.kernel, dimension, least));
+    throw InputError(fmt::format(
+        "sph.neighbours = {}: kernel {} in {}D counts {:.4g} for the particle itself, so no support radius gives "
+        "fewer; ask for more than that",
+        s.neighbours, s.kernel, dimension, least));
   if (!(s.gamma > 1)) throw InputError(fmt::format("sph.gamma = {}: it must be above 1", s.gamma));
   if (!(s.courant > 0)) throw InputError(fmt::format("time.courant = {}: it must be positive", s.courant));
 }

@@ -9,6 +9,7 @@
 
 namespace sphk {
 
+/// The schemes that a user may ask for: all but "glass", which relaxes initial conditions.
 std::vector<std::string> scheme_names();
 std::vector<std::string> kernel_names();
 

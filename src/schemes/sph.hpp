@@ -9,8 +9,9 @@ namespace sphk {
 
 /// SPH as in R10: no grad-h, Gingold & Monaghan's viscosity with the Balsara switch.
 template <int D, class K, class T>
-struct SphEntropy : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                           TermSet<PressureGradientSph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
+struct SphEntropy
+    : Scheme<D, K, T, EntropyForm, ClassicDensity,
+             TermSet<PressureGradientSph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
 template <int D, class K, class T>
 struct SphEnergy : Scheme<D, K, T, EnergyForm, ClassicDensity,
                           TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,

@@ -50,7 +50,8 @@ Domain<D> unit_box(double period) {
 
 template <class D>
 struct CellTreeTest : testing::Test {};
-using Dimensions = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions =
+    testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(CellTreeTest, Dimensions);
 
 TYPED_TEST(CellTreeTest, sorting_is_a_permutation_that_keeps_rows_together) {
@@ -101,8 +102,9 @@ TYPED_TEST(CellTreeTest, a_walk_misses_nothing_and_visits_nothing_twice) {
       for (int d = 0; d < D; ++d) k.push_back(std::lround(shift[d]));
       return k;
     };
-    walk(cloud.tree, root(cloud.tree), target, [=](double) { return reach; },
-         [&](int sub_cell, const double* shift) { ++visits[key(sub_cell, shift)]; });
+    walk(
+        cloud.tree, root(cloud.tree), target, [=](double) { return reach; },
+        [&](int sub_cell, const double* shift) { ++visits[key(sub_cell, shift)]; });
     for (const auto& [where, count] : visits) ASSERT_EQ(count, 1);
     const int most = static_cast<int>(reach) + 1, images = 2 * most + 1;
     for (int i = 0; i < cloud.tree.n; ++i)

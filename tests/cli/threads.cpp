@@ -11,9 +11,11 @@ namespace {
 
 ParticleSet end_of_run(const std::filesystem::path& folder, const std::string& precision, int threads) {
   const std::string out = (folder / (precision + std::to_string(threads))).string();
-  const std::string command = "env -u OMP_NUM_THREADS '" SPHK_EXECUTABLE "' run uniform -n 14 --scheme gadget2 --steps 12 "
-                              "--set scene.lattice=cubic --set scene.jitter=0.2 --precision " + precision + " --threads " +
-                              std::to_string(threads) + " --set output.snapshots=1 --out '" + out + "' > /dev/null 2>&1";
+  const std::string command = "env -u OMP_NUM_THREADS '" SPHK_EXECUTABLE
+                              "' run uniform -n 14 --scheme gadget2 --steps 12 "
+                              "--set scene.lattice=cubic --set scene.jitter=0.2 --precision " +
+                              precision + " --threads " + std::to_string(threads) +
+                              " --set output.snapshots=1 --out '" + out + "' > /dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   return read_particles(out + "/snap_0001.hdf5").particles;
 }

@@ -1,5 +1,5 @@
-// The pack vocabulary against the same operation lane by lane: the lanes are independent and every operation is exact or rounded
-// once, so results are equal.
+// The pack vocabulary against the same operation lane by lane: the lanes are independent and every operation is exact
+// or rounded once, so results are equal.
 #include "kernels/core/simd.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ TYPED_TEST_SUITE(Packs, PackTypes);
 TYPED_TEST(Packs, operations_act_on_each_lane) {
   using P = TypeParam;
   const P a = this->pack(this->a), b = this->pack(this->b);
-  const auto high = this->values(sphk::max(a, b)), low = this->values(sphk::min(a, b)), size = this->values(sphk::abs(a));
+  const auto high = this->values(sphk::max(a, b)), low = this->values(sphk::min(a, b)),
+             size = this->values(sphk::abs(a));
   const auto root = this->values(sphk::sqrt(a * a)), chosen = this->values(sphk::select(a < b, a, b));
   for (int k = 0; k < this->width; ++k) {
     EXPECT_EQ(high[k], std::max(this->a[k], this->b[k]));
@@ -58,7 +59,7 @@ TYPED_TEST(Packs, compression_keeps_the_chosen_lanes_in_order) {
   using P = TypeParam;
   using T = typename TestFixture::T;
   const P a = this->pack(this->a);
-  for (unsigned bits = 0; bits < 1u << this->width; bits += this->width > 8 ? 37 : 1) {
+  for (unsigned bits = 0; bits<1u << this->width; bits += this->width> 8 ? 37 : 1) {
     std::vector<T> wanted, got(2 * this->width, T(-99));
     for (int k = 0; k < this->width; ++k)
       if (bits >> k & 1) wanted.push_back(this->a[k]);

@@ -10,7 +10,8 @@ namespace {
 
 using Fields = List<Mass, Velocity, MaxSignalVelocity>;
 
-static_assert(std::is_same_v<Union<List<Mass, Velocity>, List<Velocity, Density>, List<>>, List<Mass, Velocity, Density>>);
+static_assert(
+    std::is_same_v<Union<List<Mass, Velocity>, List<Velocity, Density>, List<>>, List<Mass, Velocity, Density>>);
 static_assert(contains<Mass, Fields> && !contains<Density, Fields>);
 static_assert(is_subset<List<Velocity>, Fields> && !is_subset<List<Velocity, Density>, Fields>);
 static_assert(component_count<3, Fields> == 5 && component_count<1, Fields> == 3);

@@ -1,5 +1,5 @@
-// Whole runs against exact solutions. Bounds are the peers' or the papers' own figures for the same problem and resolution, or
-// follow from the exact solution; none comes from a run of this code.
+// Whole runs against exact solutions. Bounds are the peers' or the papers' own figures for the same problem and
+// resolution, or follow from the exact solution; none comes from a run of this code.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,8 @@ Result run_scene(const std::string& name, const Keys& keys) {
   return result;
 }
 
-/// Sod's tube, gamma 5/3, glass, 64 x 32 x 32 + 32 x 16 x 16: GADGET-2 reaches 0.0346 with 50 neighbours, the best of four peers.
+/// Sod's tube, gamma 5/3, glass, 64 x 32 x 32 + 32 x 16 x 16: GADGET-2 reaches 0.0346 with 50 neighbours, the best of
+/// four peers.
 TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
   const Result sod = run_scene("sod", {{"sph.scheme", "gadget2"}, {"sph.neighbours", "50"}});
   ASSERT_EQ(sod.end.size(), 73728u);
@@ -47,15 +48,20 @@ TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
   EXPECT_LT(sod.energy_drift(), 5e-3);
 }
 
-/// Gresho's vortex, 32 x 32 x 8 lattice, t = 1: GADGET-2 0.174 with 50 neighbours; S12 Fig. 6 has CS42 always above 0.10.
+/// Gresho's vortex, 32 x 32 x 8 lattice, t = 1: GADGET-2 0.174 with 50 neighbours; S12 Fig. 6 has CS42 always above
+/// 0.10.
 TEST(Accuracy, gresho_with_50_neighbours_is_that_of_gadget2) {
-  const Result gresho = run_scene("gresho", {{"scene.n", "32"}, {"scene.layers", "8"}, {"sph.scheme", "gadget2"}, {"sph.neighbours", "50"}, {"time.end", "1"}});
+  const Result gresho = run_scene("gresho", {{"scene.n", "32"},
+                                             {"scene.layers", "8"},
+                                             {"sph.scheme", "gadget2"},
+                                             {"sph.neighbours", "50"},
+                                             {"time.end", "1"}});
   EXPECT_LE(gresho.errors.at("v").l1, 0.174);
   EXPECT_GE(gresho.errors.at("v").l1, 0.10);
 }
 
-/// Sedov's blast: the shock stands at r = 1.15 (E t^2/rho)^(1/5); S12 conserve energy to 5 %. The densest spherical shell
-/// lies within half a support radius of the exact front.
+/// Sedov's blast: the shock stands at r = 1.15 (E t^2/rho)^(1/5); S12 conserve energy to 5 %. The densest spherical
+/// shell lies within half a support radius of the exact front.
 TEST(Accuracy, sedov_shock_stands_where_it_must) {
   const Result sedov = run_scene("sedov", {{"scene.n", "32"}, {"sph.scheme", "gadget2"}});
   EXPECT_LT(sedov.energy_drift(), 0.05);
@@ -88,9 +94,11 @@ TEST(Accuracy, sedov_shock_stands_where_it_must) {
   EXPECT_GT(peak, 2) << "a strong shock, smeared, out of 4";
 }
 
-/// Noh's problem in 1D, gamma 5/3: rho = 4 behind the shock at t/3. The plateau away from wall heating is exact jump physics.
+/// Noh's problem in 1D, gamma 5/3: rho = 4 behind the shock at t/3. The plateau away from wall heating is exact jump
+/// physics.
 TEST(Accuracy, noh_in_1d_compresses_fourfold) {
-  const Result noh = run_scene("noh", {{"scene.dimension", "1"}, {"scene.n", "100"}, {"sph.scheme", "gadget2"}, {"time.end", "0.6"}});
+  const Result noh =
+      run_scene("noh", {{"scene.dimension", "1"}, {"scene.n", "100"}, {"sph.scheme", "gadget2"}, {"time.end", "0.6"}});
   const auto &x = noh.end.field("Coordinates").values, &rho = noh.end.field("Densities").values;
   const auto& v = noh.end.field("Velocities").values;
   int inside = 0;
@@ -111,12 +119,18 @@ TEST(Accuracy, lattice_density_is_that_of_the_kernel) {
   const struct {
     const char *kernel, *neighbours;
     double density;
-  } cases[] = {{"cs", "32", 0.9991}, {"ct", "32", 1.0728}, {"ct", "128", 1.0166}, {"liq", "32", 1.0671},
-               {"hoct4", "96", 1.0500}, {"hoct4", "442", 1.0076}};
+  } cases[] = {{"cs", "32", 0.9991},  {"ct", "32", 1.0728},    {"ct", "128", 1.0166},
+               {"liq", "32", 1.0671}, {"hoct4", "96", 1.0500}, {"hoct4", "442", 1.0076}};
   for (const auto& c : cases) {
-    const Result box = run_scene("uniform", {{"scene.n", "8"}, {"scene.lattice", "cubic"}, {"scene.jitter", "0"}, {"time.end", "0"},
-                                             {"sph.precision", "double"}, {"sph.kernel", c.kernel}, {"sph.neighbours", c.neighbours}});
-    for (const double rho : box.end.field("Densities").values) ASSERT_NEAR(rho, c.density, 6e-5) << c.kernel << c.neighbours;
+    const Result box = run_scene("uniform", {{"scene.n", "8"},
+                                             {"scene.lattice", "cubic"},
+                                             {"scene.jitter", "0"},
+                                             {"time.end", "0"},
+                                             {"sph.precision", "double"},
+                                             {"sph.kernel", c.kernel},
+                                             {"sph.neighbours", c.neighbours}});
+    for (const double rho : box.end.field("Densities").values)
+      ASSERT_NEAR(rho, c.density, 6e-5) << c.kernel << c.neighbours;
   }
 }
 

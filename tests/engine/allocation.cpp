@@ -11,7 +11,9 @@ namespace {
 
 int allocations = 0;
 
-void count_allocation(Kokkos_Profiling_SpaceHandle, const char*, const void*, std::uint64_t) { ++allocations; }
+void count_allocation(Kokkos_Profiling_SpaceHandle, const char*, const void*, std::uint64_t) {
+  ++allocations;
+}
 
 TEST(Allocation, does_not_happen_inside_a_step) {
   const auto run = make_simulation(shaken_lattice(3, {8, 8, 8}, 0.2, true, 1), {.scheme = "gadget2", .neighbours = 48});

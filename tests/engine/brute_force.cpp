@@ -10,9 +10,13 @@ namespace sphk::test {
 
 namespace {
 
-double dot(const Array3& a, const Array3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Array3& a, const Array3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-Array3 difference(const Array3& a, const Array3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Array3 difference(const Array3& a, const Array3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 void add(Array3& to, double factor, const Array3& a) {
   for (int d = 0; d < 3; ++d) to[d] += factor * a[d];
@@ -27,7 +31,8 @@ double sphere_volume(int dimension, double h) {
 BruteForce::BruteForce(const ParticleSet& particles, const SimulationSettings& settings)
     : particles_(particles), settings_(settings) {
   const std::size_t size = particles.size();
-  for (auto* field : {&h, &rho, &n, &dn_dh, &drho_dh, &P, &c, &balsara, &entropy_rate, &count, &div_v}) field->assign(size, 0);
+  for (auto* field : {&h, &rho, &n, &dn_dh, &drho_dh, &P, &c, &balsara, &entropy_rate, &count, &div_v})
+    field->assign(size, 0);
   for (auto* field : {&a, &curl_v, &E0}) field->assign(size, Array3{});
   const int last = static_cast<int>(size);
   for (int i = 0; i < last; ++i) h[i] = root_of_constraint(i);
@@ -68,7 +73,8 @@ std::vector<BruteForce::Neighbour> BruteForce::images(int i, double reach) const
 double BruteForce::root_of_constraint(int i) const {
   const Box& box = particles_.box;
   const double volume = box.size[0] * box.size[1] * box.size[2] / double(particles_.size());  // unused axes have size 1
-  double low = 0, high = std::pow(settings_.neighbours * volume / sphere_volume(particles_.dimension, 1), 1.0 / particles_.dimension);
+  double low = 0, high = std::pow(settings_.neighbours * volume / sphere_volume(particles_.dimension, 1),
+                                  1.0 / particles_.dimension);
   std::vector<Neighbour> pairs = images(i, high);
   const auto excess = [&](double trial) {
     double sum = 0;
@@ -96,8 +102,9 @@ void BruteForce::gather_sums(int i) {
     Array3 grad{};
     add(grad, W.dW_dr / pair.r, pair.r_ij);
     div_v[i] -= m * dot(v_ij, grad);
-    add(curl_v[i], m, {v_ij[1] * grad[2] - v_ij[2] * grad[1], v_ij[2] * grad[0] - v_ij[0] * grad[2],
-                       v_ij[0] * grad[1] - v_ij[1] * grad[0]});
+    add(curl_v[i], m,
+        {v_ij[1] * grad[2] - v_ij[2] * grad[1], v_ij[2] * grad[0] - v_ij[0] * grad[2],
+         v_ij[0] * grad[1] - v_ij[1] * grad[0]});
   }
   div_v[i] /= rho[i];
   for (double& component : curl_v[i]) component /= rho[i];
@@ -120,7 +127,8 @@ void BruteForce::pair_sums(int i) {
     const int j = pair.j;
     if (pair.r == 0 || pair.r >= std::max(h[i], h[j])) continue;
     const double m = particles_.m[j], m_i = particles_.m[i];
-    const double dW_i = pair.r < h[i] ? kernel(pair.r, h[i]).dW_dr : 0, dW_j = pair.r < h[j] ? kernel(pair.r, h[j]).dW_dr : 0;
+    const double dW_i = pair.r < h[i] ? kernel(pair.r, h[i]).dW_dr : 0,
+                 dW_j = pair.r < h[j] ? kernel(pair.r, h[j]).dW_dr : 0;
     const double dW = 0.5 * (dW_i + dW_j);
     Array3 e{};
     add(e, 1 / pair.r, pair.r_ij);

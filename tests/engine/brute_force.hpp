@@ -8,8 +8,8 @@
 
 namespace sphk::test {
 
-/// One right-hand side by explicit sums over all pairs and all periodic images, in double and without any of the engine's
-/// code but the smoothing kernels' shapes: the independent check of cells, tiles and passes. O(N^2 images).
+/// One right-hand side by explicit sums over all pairs and all periodic images, in double and without any of the
+/// engine's code but the smoothing kernels' shapes: the independent check of cells, tiles and passes. O(N^2 images).
 struct BruteForce {
   std::vector<double> h, rho, n, dn_dh, drho_dh, P, c, balsara, entropy_rate, count;
   std::vector<Array3> a, curl_v, E0;

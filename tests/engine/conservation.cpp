@@ -66,8 +66,8 @@ double energy_drift(double dt) {
   return (run->totals().energy() - before) / before;
 }
 
-/// Kick-drift-kick is of second order: a tenth of the step, a hundredth of the drift. The searches for h end at moves of 3e-4,
-/// which set the floor.
+/// Kick-drift-kick is of second order: a tenth of the step, a hundredth of the drift. The searches for h end at moves
+/// of 3e-4, which set the floor.
 TEST(Energy, drift_of_gadget2_falls_with_the_square_of_the_step) {
   const double coarse = std::abs(energy_drift(1e-2)), fine = std::abs(energy_drift(1e-3));
   EXPECT_LT(coarse, 1e-5);

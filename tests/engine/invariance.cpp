@@ -59,8 +59,8 @@ TEST(Invariance, order_of_the_input_changes_roundings_alone) {
     EXPECT_LT(difference(straight, other, name), 1e-12) << name;
 }
 
-/// A boost by 1e4 sound speeds in float pairs: relative velocities and coordinates keep their digits, so the flow is that of
-/// the box at rest but for the roundings of x and v in double (1e4 * 1e-16) and of float pairs (1e-6).
+/// A boost by 1e4 sound speeds in float pairs: relative velocities and coordinates keep their digits, so the flow is
+/// that of the box at rest but for the roundings of x and v in double (1e4 * 1e-16) and of float pairs (1e-6).
 TEST(Invariance, a_boost_changes_no_density) {
   ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.3, true, 10);
   const Snapshot rest = after_steps(gas, settings_of("mixed"), 10);
@@ -70,11 +70,12 @@ TEST(Invariance, a_boost_changes_no_density) {
   EXPECT_LT(difference(rest, boosted, "Entropies"), 2e-5);
 }
 
-/// Searches for h end at moves of 3e-3 in mixed runs, and the slopes that forces read are those before the move: that, not
-/// float rounding, bounds the difference.
+/// Searches for h end at moves of 3e-3 in mixed runs, and the slopes that forces read are those before the move: that,
+/// not float rounding, bounds the difference.
 TEST(Invariance, mixed_follows_double) {
   const ParticleSet gas = shaken_lattice(3, {10, 10, 10}, 0.2, true, 11);
-  const Snapshot single = after_steps(gas, settings_of("mixed"), 10), full = after_steps(gas, settings_of("double"), 10);
+  const Snapshot single = after_steps(gas, settings_of("mixed"), 10),
+                 full = after_steps(gas, settings_of("double"), 10);
   for (const char* name : {"Coordinates", "Velocities", "Densities", "Entropies", "SmoothingLength"})
     EXPECT_LT(difference(full, single, name), 3e-3) << name;
 }

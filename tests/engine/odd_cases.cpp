@@ -65,7 +65,9 @@ TEST(OddCases, one_particle_in_a_periodic_box_sees_its_images) {
   expect_finite_run(gas_at({{0.2, 0.7, 0.1}}, 3, true), settings_for(48));
 }
 
-TEST(OddCases, two_particles_far_apart) { expect_finite_run(gas_at({{0, 0, 0}, {1e6, 0, 0}}), settings_for(48)); }
+TEST(OddCases, two_particles_far_apart) {
+  expect_finite_run(gas_at({{0, 0, 0}, {1e6, 0, 0}}), settings_for(48));
+}
 
 TEST(OddCases, coincident_particles_feel_no_force_from_each_other) {
   ParticleSet gas = shaken_lattice(3, {6, 6, 6}, 0.2, true, 1);

@@ -15,8 +15,7 @@ template <class N, class Slope>
 Result follow(SupportSearch& search, N n, Slope dn, double neighbours, double h_max = 1e300) {
   Result result = Result::search;
   double move = 0;
-  while (result == Result::search)
-    result = search.advance<3>(n(search.h), dn(search.h), neighbours, 1e-7, h_max, move);
+  while (result == Result::search) result = search.advance<3>(n(search.h), dn(search.h), neighbours, 1e-7, h_max, move);
   return result;
 }
 
@@ -25,7 +24,9 @@ TEST(SupportSearch, finds_the_root_of_an_even_gas_from_either_side) {
   const double root = std::cbrt(48 * 3 / (4 * M_PI));
   for (const double start : {root / 100, root / 2, root, 3 * root, 1000 * root}) {
     SupportSearch search{start};
-    EXPECT_EQ(follow(search, [](double) { return 1.0; }, [](double) { return 0.0; }, 48), Result::found);
+    EXPECT_EQ(follow(
+                  search, [](double) { return 1.0; }, [](double) { return 0.0; }, 48),
+              Result::found);
     EXPECT_NEAR(search.h, root, 1e-13 * root) << "from " << start;
   }
 }
@@ -34,7 +35,8 @@ TEST(SupportSearch, finds_the_root_of_an_even_gas_from_either_side) {
 TEST(SupportSearch, ends_at_a_jump_by_bisection) {
   SupportSearch search{1.0};
   const auto n = [](double h) { return h < 2 ? 1e-3 : 100.0; };
-  const Result result = follow(search, n, [](double) { return 0.0; }, 48);
+  const Result result = follow(
+      search, n, [](double) { return 0.0; }, 48);
   EXPECT_NE(result, Result::search);
   EXPECT_TRUE(search.bisected);
   EXPECT_NEAR(search.h, 2, 1e-6);
@@ -42,8 +44,10 @@ TEST(SupportSearch, ends_at_a_jump_by_bisection) {
 
 TEST(SupportSearch, is_capped_where_there_are_too_few) {
   SupportSearch search{1.0};
-  EXPECT_EQ(follow(search, [](double h) { return 1 / (h * h * h); }, [](double h) { return -3 / (h * h * h * h); }, 48, 7.0),
-            Result::capped);
+  EXPECT_EQ(
+      follow(
+          search, [](double h) { return 1 / (h * h * h); }, [](double h) { return -3 / (h * h * h * h); }, 48, 7.0),
+      Result::capped);
   EXPECT_EQ(search.h, 7.0);
 }
 
@@ -51,14 +55,20 @@ TEST(SupportSearch, says_crowded_where_coincident_particles_are_too_many) {
   SupportSearch search{1.0};  // V n h^3 = 100 for every h
   const double number = 100 / (4 * M_PI / 3);
   const auto n = [&](double h) { return number / (h * h * h); };
-  EXPECT_EQ(follow(search, n, [&](double h) { return -3 * number / (h * h * h * h); }, 48), Result::crowded);
+  EXPECT_EQ(follow(
+                search, n, [&](double h) { return -3 * number / (h * h * h * h); }, 48),
+            Result::crowded);
 }
 
 TEST(SupportSearch, gives_up_on_what_is_not_a_number) {
   SupportSearch search{1.0};
-  EXPECT_EQ(follow(search, [](double) { return std::nan(""); }, [](double) { return 0.0; }, 48), Result::failed);
+  EXPECT_EQ(follow(
+                search, [](double) { return std::nan(""); }, [](double) { return 0.0; }, 48),
+            Result::failed);
   SupportSearch lost{std::nan("")};
-  EXPECT_EQ(follow(lost, [](double) { return 1.0; }, [](double) { return 0.0; }, 48), Result::failed);
+  EXPECT_EQ(follow(
+                lost, [](double) { return 1.0; }, [](double) { return 0.0; }, 48),
+            Result::failed);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// One thread per particle, as a GPU runs the pair loops, against the tiles of the host: the same pairs, summed in another order.
+// One thread per particle, as a GPU runs the pair loops, against the tiles of the host: the same pairs, summed in
+// another order.
 #include <gtest/gtest.h>
 
 #include "kernels/smoothing/cubic_spline.hpp"

@@ -72,7 +72,8 @@ TEST(Terms, largest_signal_velocity_of_monaghan) {
   const Parameters parameters{.alpha = 1.5, .beta = 3};
   const double mu = -1.875 / 2.265625, wanted = 2 * (2.5 * std::sqrt(2.0) - 3 * mu);
   EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.j, parameters).v_sig), wanted, rounding * wanted);
-  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, parameters).v_sig), 5 * std::sqrt(2.0), rounding * wanted);
+  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, parameters).v_sig), 5 * std::sqrt(2.0),
+              rounding * wanted);
 }
 
 TEST(Terms, zeroth_order_error) {

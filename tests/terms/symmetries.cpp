@@ -1,5 +1,5 @@
-// What every term owes to physics, on two particles: action and reaction, Galilean invariance, nothing from a uniform state
-// at rest, nothing from coincident particles, and the same lines in a SIMD pack.
+// What every term owes to physics, on two particles: action and reaction, Galilean invariance, nothing from a uniform
+// state at rest, nothing from coincident particles, and the same lines in a SIMD pack.
 #include <cmath>
 
 #include "tests/terms/two_particles.hpp"
@@ -43,8 +43,7 @@ TYPED_TEST(Symmetries, is_the_same_in_every_lane_of_a_pack) {
   Particle<Pack, 3> i, j;
   for (auto [from, to] : {std::pair(&one.i, &i), std::pair(&one.j, &j)})
     for_each_type(Everything{}, [from = from, to = to]<class F>() {
-      for (int k = 0; k < components<F, 3>; ++k)
-        component_array<F>(*to)[k] = Pack(component_array<F>(*from)[k]);
+      for (int k = 0; k < components<F, 3>; ++k) component_array<F>(*to)[k] = Pack(component_array<F>(*from)[k]);
     });
   const auto packs = share<TypeParam, Pack, 3>(i, j);
   const auto wanted = share<TypeParam, double, 3>(exact.i, exact.j);
