@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "kernels/cells/cell_tree.hpp"
@@ -39,6 +40,24 @@ struct Frame {
   }
 };
 
+/// Which particles of a cell are computed: a bit each, the first the lowest.
+using TargetMask = std::uint64_t;
+
+template <int D>
+KOKKOS_INLINE_FUNCTION TargetMask all_targets(const CellTree<D>& tree, int cell) {
+  const int n = min(cell_size, tree.n - cell * cell_size);
+  return n == cell_size ? ~TargetMask(0) : (TargetMask(1) << n) - 1;
+}
+
+/// The box of one particle.
+template <class C, int D = C::dimension>
+KOKKOS_INLINE_FUNCTION Bounds<D> point(const C& columns, int i) {
+  Bounds<D> b;
+  for (int d = 0; d < D; ++d) b.lo[d] = b.hi[d] = columns.template at<Position>(i, d);
+  b.h_max = columns.template at<Support>(i);
+  return b;
+}
+
 /// Particle i as the pair arithmetic sees it: T, relative to the frame, in every lane of P.
 template <class P, int D, class... F, class C>
 KOKKOS_FORCEINLINE_FUNCTION Values<P, D, List<F...>> load_relative(List<F...>, const C& columns, const Frame<D>& frame,
@@ -54,6 +73,19 @@ KOKKOS_FORCEINLINE_FUNCTION Values<P, D, List<F...>> load_relative(List<F...>, c
   return values;
 }
 
+template <class F>
+inline constexpr bool is_separation = std::is_same_v<F, Separation> || std::is_same_v<F, Distance2>;
+
+namespace detail {
+template <class F>
+using NotPosition = std::bool_constant<!std::is_same_v<F, Position>>;
+}  // namespace detail
+
+/// What a particle's neighbour has where a particle has the fields of the list: the separation in place of the
+/// position.
+template <class FieldList>
+using NeighbourFields = Union<List<Separation, Distance2>, Filter<FieldList, detail::NotPosition>>;
+
 /// Candidate neighbours side by side in scratch memory: a row of T per component of the fields, `count` entries each.
 template <class T, int D, class FieldList>
 struct Tile {
@@ -66,9 +98,14 @@ struct Tile {
   T* data;
   int count = 0;
 
+  /// Where a component's row starts.
   template <class F>
-  KOKKOS_FORCEINLINE_FUNCTION T* row(int component = 0) const {
-    return data + (component_offset<D, F, FieldList> + component) * stride;
+  static constexpr int offset(int component = 0) {
+    return (component_offset<D, F, FieldList> + component) * stride;
+  }
+  template <class F>
+  T* row(int component = 0) const {
+    return data + offset<F>(component);
   }
   template <class P>
   KOKKOS_FORCEINLINE_FUNCTION Values<P, D, FieldList> load(int k) const {
@@ -77,11 +114,12 @@ struct Tile {
     return values;
   }
 
-  /// Fills up to a multiple of `width` with copies of the last entry moved out of everybody's reach.
-  KOKKOS_FORCEINLINE_FUNCTION void pad(int width, T far_away) {
+  /// Fills up to a multiple of `width` with copies of the last entry in which field F is `value`.
+  template <class F>
+  void pad(int width, T value) {
     while (count % width != 0) {
       for (int row = 0; row < rows; ++row) data[row * stride + count] = data[row * stride + count - 1];
-      row<Position>()[count] = far_away;
+      this->template row<F>()[count] = value;
       ++count;
     }
   }
@@ -95,7 +133,7 @@ struct Tile {
     template <class F>
     KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
       P* c = component_array<F>(values);
-      for (int a = 0; a < components<F, D>; ++a) c[a] = sphk::load<P>(tile.template row<F>(a) + k);
+      for (int a = 0; a < components<F, D>; ++a) c[a] = sphk::load<P>(tile.data + offset<F>(a) + k);
     }
   };
 };

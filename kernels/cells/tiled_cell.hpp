@@ -11,35 +11,51 @@ enum class Reach {
   symmetric  ///< r < max(h_i, h_j)
 };
 
-/// One cell of at most 64 particles and the two levels of candidates that its pair loops run over: everything near the
-/// cell, and of that everything near one of its sub-cells. Lives on one thread of the host; its tiles are team scratch.
+/// One cell of at most 64 particles and the three levels of candidates that its pair loops narrow down: everything near
+/// the cell, of that everything near one of its sub-cells, of that the neighbours of one particle. Lives on one thread
+/// of the host; its tiles are team scratch. Only the cell's targets are served: boxes and reaches are theirs.
 template <class T, int D, class FieldList, Reach mode, class C>
 class TiledCell {
  public:
-  using CellTile = Tile<T, D, FieldList>;
+  using CellTile = Tile<T, D, Union<List<Position>, FieldList>>;
+  using Neighbours = Tile<T, D, NeighbourFields<FieldList>>;
   static constexpr int width = native_lanes<T>;
   using Pack = simd<T, width>;
 
-  static constexpr std::size_t scratch_bytes() { return 2 * CellTile::entries * sizeof(T) + 64; }
+  static constexpr std::size_t scratch_bytes() {
+    return (2 * CellTile::entries + Neighbours::entries) * sizeof(T) + 2 * page + 64;
+  }
 
-  TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell)
-      : tree_(tree), columns_(columns), cell_(cell) {
+  /// `targets`: a bit for each particle of the cell, the first the lowest.
+  TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell, TargetMask targets)
+      : tree_(tree), columns_(columns), cell_(cell), targets_(targets) {
     T* memory = reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(scratch) + 63) / 64 * 64);
     near_.data = memory;
     sub_.data = memory + CellTile::entries;
-    frame_ = Frame<D>::of(bounds(), columns, begin());
+    const std::size_t after = 2 * CellTile::entries * sizeof(T);
+    const std::size_t from_sub = CellTile::entries * sizeof(T) % page;
+    list_.data = memory + (after + (page + 3 * page / 4 - from_sub) % page) / sizeof(T);
+    bound_targets();
+    frame_ = Frame<D>::of(bounds_, columns, begin());
   }
 
   int begin() const { return cell_ * cell_size; }
   int end() const { return sphk::min(begin() + cell_size, tree_.n); }
-  const Bounds<D>& bounds() const { return tree_.node(1, cell_); }
+  bool is_target(int i) const { return targets_ >> (i - begin()) & 1; }
+  /// The box and largest support of the targets.
+  const Bounds<D>& bounds() const { return bounds_; }
+  const Bounds<D>& sub_bounds(int sub_cell) const { return sub_bounds_[sub_cell - first_sub_cell()]; }
   int first_sub_cell() const { return cell_ * fan_out; }
   int last_sub_cell() const { return sphk::min(first_sub_cell() + fan_out, tree_.count(0)); }
+  bool has_targets(int sub_cell) const {
+    return targets_ >> ((sub_cell - first_sub_cell()) * sub_cell_size) & ((1u << sub_cell_size) - 1);
+  }
   const Frame<D>& frame() const { return frame_; }
   const CellTile& candidates() const { return sub_; }
+  const Neighbours& neighbours() const { return list_; }
 
-  /// Collects what comes within `reach` of the cell and calls flush(whole) each time the tile is full and at the end;
-  /// `whole` says that the tile holds all there is.
+  /// Collects what comes within `reach` of the targets and calls flush(whole) each time the tile is full and at the
+  /// end; `whole` says that the tile holds all there is.
   template <class Flush>
   void collect(const Bounds<D>& all, double reach, Flush&& flush) {
     near_.count = 0;
@@ -58,31 +74,57 @@ class TiledCell {
     flush(whole);
   }
 
-  /// Makes candidates() those of the collected ones that come within `reach` of the sub-cell, padded to whole packs.
+  /// Makes candidates() those of the collected ones that come within `reach` of the sub-cell's targets.
   void select(int sub_cell, double reach) {
-    const Bounds<D>& b = tree_.node(0, sub_cell);
+    const Bounds<D>& b = sub_bounds(sub_cell);
     T centre[D], half[D];
     for (int d = 0; d < D; ++d) {
       const double lo = b.lo[d] - frame_.x[d], hi = b.hi[d] - frame_.x[d];
       centre[d] = static_cast<T>(0.5 * (lo + hi));
       half[d] = static_cast<T>(0.5 * (hi - lo));
     }
-    sub_.count = 0;
-    for (int k = 0; k < near_.count; k += width) {
+    T *const from = near_.data, *to = sub_.data;
+    const int n = near_.count;
+    for (int k = 0; k < n; k += width) {
       Pack x[D];
-      for (int d = 0; d < D; ++d) x[d] = sphk::load<Pack>(near_.template row<Position>(d) + k) - Pack(centre[d]);
+      for (int d = 0; d < D; ++d) x[d] = load_row<Position>(from, k, d) - Pack(centre[d]);
       Pack reach_of = static_cast<T>(reach);
       if constexpr (mode == Reach::symmetric)
-        reach_of = sphk::max(reach_of, Pack(T(1)) / sphk::load<Pack>(near_.template row<InverseSupport>() + k));
-      const unsigned bits = within(x, half, reach_of) & first_lanes(near_.count - k);
-      const Compress<Pack> chosen(bits);
-      for (int row = 0; row < CellTile::rows; ++row) {
-        const int start = row * CellTile::stride;
-        chosen.store(sub_.data + start + sub_.count, sphk::load<Pack>(near_.data + start + k));
-      }
-      sub_.count += chosen.count();
+        reach_of = sphk::max(reach_of, Pack(T(1)) / load_row<InverseSupport>(from, k));
+      const Compress<Pack> chosen(within(x, half, reach_of) & first_lanes(n - k));
+      for (int row = 0; row < CellTile::rows; ++row)
+        chosen.store(to + row * CellTile::stride, sphk::load<Pack>(from + row * CellTile::stride + k));
+      to += chosen.count();
     }
-    if (sub_.count > 0) sub_.pad(width, far_away(sub_));
+    sub_.count = static_cast<int>(to - sub_.data);
+  }
+
+  /// Makes neighbours() those of the candidates with r < reach from x, or r < h_j where pairs are symmetric, filled up
+  /// to whole packs with neighbours out of reach.
+  void list(const Vec<Pack, D>& x, double reach) {
+    const Pack reach2 = static_cast<T>(reach * reach);
+    T *const from = sub_.data, *to = list_.data;
+    const int n = sub_.count;
+    for (int k = 0; k < n; k += width) {
+      Vec<Pack, D> r_ij;
+      for (int d = 0; d < D; ++d) r_ij[d] = x[d] - load_row<Position>(from, k, d);
+      const Pack r2 = dot(r_ij, r_ij);
+      unsigned bits = mask_bits(r2 < reach2);
+      if constexpr (mode == Reach::symmetric) {
+        const Pack h_inv = load_row<InverseSupport>(from, k);
+        bits |= mask_bits(r2 * h_inv * h_inv < Pack(T(1)));
+      }
+      const Compress<Pack> chosen(bits & first_lanes(n - k));
+      for (int d = 0; d < D; ++d) chosen.store(list_row<Separation>(to, d), r_ij[d]);
+      chosen.store(list_row<Distance2>(to), r2);
+      for_each_type(NeighbourFields<FieldList>{}, [&]<class F>() {
+        if constexpr (!is_separation<F>)
+          for (int c = 0; c < components<F, D>; ++c) chosen.store(list_row<F>(to, c), load_row<F>(from, k, c));
+      });
+      to += chosen.count();
+    }
+    list_.count = static_cast<int>(to - list_.data);
+    if (list_.count > 0) list_.template pad<Distance2>(width, beyond_reach(reach));
   }
 
  private:
@@ -90,9 +132,37 @@ class TiledCell {
   static constexpr int narrow = width < sub_cell_size ? width : sub_cell_size;
   using NarrowPack = simd<T, narrow>;
 
+  /// A load waits for an earlier store whose address has the same low 12 bits. The list therefore starts 3/4 of such a
+  /// page after the candidates that it is made of: while it falls behind them, the two stay apart.
+  static constexpr std::size_t page = 4096;
+
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
+  template <class F>
+  static Pack load_row(const T* tile, int k, int component = 0) {
+    return sphk::load<Pack>(tile + CellTile::template offset<F>(component) + k);
+  }
+  template <class F>
+  static T* list_row(T* list, int component = 0) {
+    return list + Neighbours::template offset<F>(component);
+  }
+
   double reach_with(double h) const { return mode == Reach::symmetric ? sphk::max(reach_, h) : reach_; }
+
+  void bound_targets() {
+    bounds_ = tree_.node(1, cell_);
+    const bool all = targets_ == all_targets(tree_, cell_);
+    if (!all) bounds_ = Bounds<D>::empty();
+    for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
+      Bounds<D>& b = sub_bounds_[s - first_sub_cell()];
+      b = tree_.node(0, s);
+      if (all) continue;
+      b = Bounds<D>::empty();
+      for (int i = s * sub_cell_size, to = sphk::min(i + sub_cell_size, tree_.n); i < to; ++i)
+        if (is_target(i)) b.include(point(columns_, i));
+      bounds_.include(b);
+    }
+  }
 
   /// A bit a lane: does a particle at x come within `reach` of the box [-half, half]? Errs on the side of yes.
   template <class P>
@@ -106,13 +176,13 @@ class TiledCell {
     return mask_bits(gap2 < reach * reach * P(margin));
   }
 
-  /// Appends the particles of a sub-cell that come within reach of the cell.
+  /// Appends the particles of a sub-cell that come within reach of the targets.
   void append(int sub_cell, const double* shift) {
     const Frame<D> image = frame_.shifted(shift);
-    const Bounds<D>& b = bounds();
     T half[D];
-    for (int d = 0; d < D; ++d) half[d] = static_cast<T>(0.5 * (b.hi[d] - b.lo[d]));
+    for (int d = 0; d < D; ++d) half[d] = static_cast<T>(0.5 * (bounds_.hi[d] - bounds_.lo[d]));
     const int j0 = sub_cell * sub_cell_size, n = sphk::min(sub_cell_size, tree_.n - j0);
+    T* to = near_.data + near_.count;
     for (int k = 0; k < n; k += narrow) {
       NarrowPack x[D];
       for (int d = 0; d < D; ++d) x[d] = load_relative_pack<Position>(d, image, j0 + k);
@@ -121,12 +191,15 @@ class TiledCell {
         reach_of = sphk::max(reach_of, load_relative_pack<Support>(0, image, j0 + k));
       const Compress<NarrowPack> chosen(within(x, half, reach_of) & first_lanes(n - k));
       if (chosen.count() == 0) continue;
+      for (int d = 0; d < D; ++d) chosen.store(to + CellTile::template offset<Position>(d), x[d]);
       for_each_type(FieldList{}, [&]<class F>() {
-        for (int c = 0; c < components<F, D>; ++c)
-          chosen.store(near_.template row<F>(c) + near_.count, load_relative_pack<F>(c, image, j0 + k));
+        if constexpr (!std::is_same_v<F, Position>)
+          for (int c = 0; c < components<F, D>; ++c)
+            chosen.store(to + CellTile::template offset<F>(c), load_relative_pack<F>(c, image, j0 + k));
       });
-      near_.count += chosen.count();
+      to += chosen.count();
     }
+    near_.count = static_cast<int>(to - near_.data);
   }
 
   /// A component of field F of the particles from j on, in T and relative to the frame.
@@ -139,21 +212,22 @@ class TiledCell {
     return sphk::load<NarrowPack>(relative);
   }
 
-  /// A place that no particle of the cell and no candidate reaches.
-  T far_away(const CellTile& tile) const {
-    double h = reach_;
+  /// A squared distance out of the reach of the particle and of the list's last neighbour.
+  T beyond_reach(double reach) const {
     if constexpr (mode == Reach::symmetric)
-      h = sphk::max(h, 1.0 / static_cast<double>(tile.template row<InverseSupport>()[tile.count - 1]));
-    const Bounds<D>& b = bounds();
-    return static_cast<T>(b.hi[0] - b.lo[0] + 4 * h);
+      reach = sphk::max(reach, 1.0 / static_cast<double>(list_.template row<InverseSupport>()[list_.count - 1]));
+    return static_cast<T>(4 * reach * reach);
   }
 
   const CellTree<D>& tree_;
   const C& columns_;
   int cell_;
+  TargetMask targets_;
   Frame<D> frame_;
+  Bounds<D> bounds_, sub_bounds_[fan_out];
   double reach_ = 0;
   CellTile near_, sub_;
+  Neighbours list_;
 };
 
 }  // namespace sphk

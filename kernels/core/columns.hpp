@@ -22,6 +22,7 @@ using HostNumbers = Kokkos::View<double*, Kokkos::HostSpace>;
 template <int D, class FieldList>
 struct Columns {
   using Fields = FieldList;
+  static constexpr int dimension = D;
   static constexpr int size = component_count<D, Fields>;
   Numbers data;  ///< component c of particle i is data(c * stride + i)
   int stride = 0;

@@ -16,6 +16,24 @@ struct Position {
   };
 };
 
+/// x_i - x_j of the pair that a particle is the j of.
+struct Separation {
+  static constexpr const char* name = "Separations";
+  template <class T, int D>
+  struct Value {
+    Vec<T, D> r_ij;
+  };
+};
+
+/// |x_i - x_j|^2.
+struct Distance2 {
+  static constexpr const char* name = "SquaredDistances";
+  template <class T, int D>
+  struct Value {
+    T r2;
+  };
+};
+
 /// Velocity at the current time (predicted between the two kicks).
 struct Velocity {
   static constexpr const char* name = "Velocities";

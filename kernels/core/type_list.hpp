@@ -37,6 +37,21 @@ inline constexpr bool contains = detail::Contains<T, L>::value;
 template <class... Ls>
 using Union = typename detail::Unite<List<>, Ls...>::type;
 
+namespace detail {
+template <template <class> class Keep, class... Ts>
+struct Filtered {
+  using type = Union<std::conditional_t<Keep<Ts>::value, List<Ts>, List<>>...>;
+};
+template <class L, template <class> class Keep>
+struct Filter;
+template <class... Ts, template <class> class Keep>
+struct Filter<List<Ts...>, Keep> : Filtered<Keep, Ts...> {};
+}  // namespace detail
+
+/// The types of list L for which Keep<T>::value holds.
+template <class L, template <class> class Keep>
+using Filter = typename detail::Filter<L, Keep>::type;
+
 /// Calls f.template operator()<T>() for every T of the list.
 template <class... Ts, class F>
 KOKKOS_FORCEINLINE_FUNCTION constexpr void for_each_type(List<Ts...>, F&& f) {

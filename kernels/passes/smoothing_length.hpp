@@ -1,8 +1,6 @@
 #pragma once
 
-#include "kernels/cells/thread_walk.hpp"
-#include "kernels/cells/tiled_cell.hpp"
-#include "kernels/passes/state.hpp"
+#include "kernels/passes/pair_loop.hpp"
 #include "kernels/passes/support_search.hpp"
 #include "kernels/terms/density.hpp"
 
@@ -35,165 +33,223 @@ struct SupportCounts {
 
 namespace detail {
 
+/// Sums of w(q) and q dw/dq over the neighbours of a particle at one trial h; n and dn/dh follow.
+template <class T>
+struct ShapeSums {
+  T w, q_dw;
+};
+
 template <class S>
-struct FindSupport {
-  static constexpr int D = S::dimension;
-  using T = typename S::PairNumber;
+struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms::Reads>, Reach::gather> {
   using Terms = typename S::DensityTerms;
-  using Reads = Union<List<Position>, typename Terms::Reads>;
-  using Adds = typename Terms::Adds;
-  using Columns = typename Particles<typename S::Layout>::Columns;
-  using Cell = TiledCell<T, D, Reads, Reach::gather, Columns>;
-  using Sums = Values<double, D, Adds>;
+  using Base = PairLoop<S, Union<List<Position>, typename Terms::Reads>, Reach::gather>;
+  using Base::D;
+  using Base::state;
+  using typename Base::Cell;
+  using typename Base::Pack;
+  using typename Base::T;
+  using Found = Values<double, D, List<NumberDensity, NumberDensitySlope>>;
+  using Sums = Values<double, D, typename Terms::Adds>;
   using Result = SupportSearch::Result;
-  using Policy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-  static constexpr int scratch_level = 1;
 
-  State<S> state;
-  Terms terms;
-  double accept;
+  Terms terms;    ///< the further sums, taken once, at the final h
+  double accept;  ///< relative move at which a search ends
 
-  /// Sums over the candidates of a tile for particle i at support h.
-  KOKKOS_INLINE_FUNCTION void add_sums(const Cell& cell, int i, double h, Sums& sums) const {
-    using P = typename Cell::Pack;
-    auto values = load_relative<P, D>(Union<Reads, List<InverseSupport>>{}, state.columns, cell.frame(), i);
-    values.h_inv = P(static_cast<T>(1 / h));
-    Values<P, D, Adds> packs;
-    set_zero(packs);
-    const auto& tile = cell.candidates();
-    for (int k = 0; k < tile.count; k += Cell::width) {
-      const auto j = tile.template load<P>(k);
-      terms(packs, values, j, gather_pair<P, D>(state.smoothing, values, j));
-    }
-    accumulate(sums, packs);
+  FindSupport(const State<S>& of, double relative) : Base{of}, terms(of.parameters), accept(relative) {}
+
+  /// One particle's search.
+  struct Task {
+    SupportSearch search;
+    ShapeSums<double> shapes{0, 0};
+    Sums sums;
+    Result result = Result::search;
+    bool done = true;
+  };
+
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION void add_shape(ShapeSums<P>& sums, const P& r2, const P& h_inv) const {
+    const P q = sphk::sqrt(r2) * h_inv;
+    const Shape<P> shape = with_own_derivative(state.smoothing.kernel, q);
+    sums.w = sums.w + shape.w;
+    sums.q_dw = sums.q_dw + q * shape.dw;
   }
 
-  KOKKOS_INLINE_FUNCTION Result advance(SupportSearch& search, Sums& sums, double& move) const {
+  /// Takes n = N_D h^-D sum w and dn/dh = -N_D h^(-D-1) sum (D w + q dw) of the trial h to the next one.
+  KOKKOS_INLINE_FUNCTION void advance(Task& task, int i) const {
     const Parameters& p = state.parameters;
-    return search.template advance<D>(sums.n, sums.dn_dh, p.neighbours, accept, p.h_max, move);
+    const double h_inv = 1 / task.search.h, scale = state.smoothing.norm * power_of_dimension<D>(h_inv);
+    Found found;
+    found.n = scale * task.shapes.w;
+    found.dn_dh = -scale * h_inv * (D * task.shapes.w + task.shapes.q_dw);
+    double move = 0;
+    task.result = task.search.template advance<D>(found.n, found.dn_dh, p.neighbours, accept, p.h_max, move);
+    if (task.result == Result::search) return;
+    found.n += found.dn_dh * move;
+    state.columns.store(i, found);
+    state.template at<Support>(i) = task.search.h;
+    state.template at<InverseSupport>(i) = 1 / task.search.h;
   }
 
-  /// Carries the sums over to the final h and stores them.
-  KOKKOS_INLINE_FUNCTION void finish(int i, const SupportSearch& search, Sums& sums, double move) const {
-    sums.n += sums.dn_dh * move;
-    if constexpr (contains<Density, Adds>) {
-      sums.rho += sums.drho_dh * move;
-      if constexpr (contains<VelocityDivergence, Adds>) sums.div_v /= sums.rho;
-      if constexpr (contains<VelocityCurl, Adds>) sums.curl_v = (1 / sums.rho) * sums.curl_v;
+  KOKKOS_INLINE_FUNCTION void finish(Task& task, int i, SupportCounts& counts) const {
+    Sums& sums = task.sums;
+    if constexpr (contains<Density, typename Terms::Adds>) {
+      if constexpr (contains<VelocityDivergence, typename Terms::Adds>) sums.div_v /= sums.rho;
+      if constexpr (contains<VelocityCurl, typename Terms::Adds>) sums.curl_v = (1 / sums.rho) * sums.curl_v;
     }
     state.columns.store(i, sums);
-    state.template at<Support>(i) = search.h;
-    state.template at<InverseSupport>(i) = 1 / search.h;
+    task.done = true;
+    counts.count(task.search, task.result);
   }
 
   /// One thread per particle: every evaluation walks the tree again.
   KOKKOS_INLINE_FUNCTION void operator()(int i, SupportCounts& counts) const {
-    SupportSearch search{state.template at<Support>(i)};
-    Result result = Result::search;
-    Sums sums;
-    double move = 0;
-    while (result == Result::search) {
-      const SupportSearch trial = search;
-      set_zero(sums);
-      ThreadWalk<T, D, Reads, Reach::gather, Columns> walk{state.tree, state.columns};
-      auto values = walk.target(i);
-      values.h_inv = static_cast<T>(1 / trial.h);
-      walk.for_each(i, trial.h, [&](const auto& j) {
-        Values<T, D, Adds> pair_sums;
-        set_zero(pair_sums);
-        terms(pair_sums, values, j, gather_pair<T, D>(state.smoothing, values, j));
-        accumulate(sums, pair_sums);
+    if (!state.active.contains(i)) return;
+    const typename Base::Walk walk{state.tree, state.columns};
+    auto values = walk.target(i);
+    Task task;
+    task.search = {state.template at<Support>(i)};
+    while (task.result == Result::search) {
+      const T h_inv = static_cast<T>(1 / task.search.h);
+      task.shapes = {0, 0};
+      walk.for_each(i, task.search.h, [&](const auto& j) {
+        ShapeSums<T> pair{0, 0};
+        add_shape(pair, j.r2, h_inv);
+        task.shapes.w += pair.w;
+        task.shapes.q_dw += pair.q_dw;
       });
-      result = advance(search, sums, move);
+      advance(task, i);
     }
-    finish(i, search, sums, move);
-    counts.count(search, result);
+    values.h_inv = static_cast<T>(1 / task.search.h);
+    set_zero(task.sums);
+    walk.for_each(i, task.search.h, [&](const auto& j) {
+      Values<T, D, typename Terms::Adds> pair_sums;
+      set_zero(pair_sums);
+      terms(pair_sums, values, j, gather_pair<T, D>(state.smoothing, values, j));
+      accumulate(task.sums, pair_sums);
+    });
+    finish(task, i, counts);
   }
 
-  /// A team of one host thread per cell, with tiles.
-  KOKKOS_INLINE_FUNCTION void operator()(const typename Policy::member_type& team, SupportCounts& counts) const {
-    Cell cell(team.team_scratch(scratch_level).get_shmem(Cell::scratch_bytes()), state.tree, state.columns,
-              team.league_rank());
+  KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, SupportCounts& counts) const {
+    Cell cell = Base::cell_of(team);
     const Bounds<D> all = root(state.tree);
-    SupportSearch searches[cell_size];
-    Sums sums[cell_size];
-    bool pending[cell_size];
+    Task tasks[cell_size];
     const int begin = cell.begin(), n = cell.end() - begin;
-    double largest = 0;
     for (int k = 0; k < n; ++k) {
-      searches[k] = {state.template at<Support>(begin + k)};
-      pending[k] = true;
-      largest = max(largest, searches[k].h);
+      tasks[k].search = {state.template at<Support>(begin + k)};
+      tasks[k].done = !cell.is_target(begin + k);
     }
-    const auto advance_one = [&](int k) {
-      double move = 0;
-      const Result result = advance(searches[k], sums[k], move);
-      if (result == Result::search) return;
-      pending[k] = false;
-      finish(begin + k, searches[k], sums[k], move);
-      counts.count(searches[k], result);
-    };
-    for (double margin = 1.02; largest > 0; margin = 1.3) {
-      const double reach = margin * largest;
+    const auto largest = [&] {
+      double h = 0;
       for (int k = 0; k < n; ++k)
-        if (pending[k]) set_zero(sums[k]);
+        if (!tasks[k].done) h = max(h, tasks[k].search.h);
+      return h;
+    };
+    double margin = 1.02;
+    for (double h = largest(); h > 0; h = largest(), margin = 1.3) {
       bool in_one_tile = false;
-      cell.collect(all, reach, [&](bool whole) {
+      for (int k = 0; k < n; ++k) clear(tasks[k]);
+      cell.collect(all, margin * h, [&](bool whole) {
         in_one_tile = whole;
         for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s)
-          sweep(cell, s, searches, sums, pending, whole ? reach : 0, advance_one);
+          sweep(cell, s, tasks, whole ? margin * h : 0, counts);
       });
-      if (!in_one_tile)
-        for (int k = 0; k < n; ++k)
-          if (pending[k]) advance_one(k);
-      largest = 0;
+      if (in_one_tile) continue;
       for (int k = 0; k < n; ++k)
-        if (pending[k]) largest = max(largest, searches[k].h);
+        if (!tasks[k].done) {
+          if (tasks[k].result == Result::search)
+            advance(tasks[k], begin + k);
+          else
+            finish(tasks[k], begin + k, counts);
+        }
     }
   }
 
-  /// Adds the tile's share to the sums of the pending particles of a sub-cell; where the tile holds everything within
-  /// `whole_reach`, follows each search as far as that goes.
-  template <class Advance>
-  KOKKOS_INLINE_FUNCTION void sweep(Cell& cell, int sub_cell, SupportSearch* searches, Sums* sums, bool* pending,
-                                    double whole_reach, const Advance& advance_one) const {
+  static void clear(Task& task) {
+    task.shapes = {0, 0};
+    set_zero(task.sums);
+  }
+
+  /// Where the tile holds everything within `whole_reach`, follows each search of a sub-cell as far as that goes;
+  /// elsewhere adds the tile's share to one evaluation.
+  void sweep(Cell& cell, int sub_cell, Task* tasks, double whole_reach, SupportCounts& counts) const {
     const int from = sub_cell * sub_cell_size, to = min(from + sub_cell_size, state.n), base = cell.begin();
     double reach = 0;
     for (int i = from; i < to; ++i)
-      if (pending[i - base]) reach = max(reach, searches[i - base].h);
+      if (!tasks[i - base].done) reach = max(reach, tasks[i - base].search.h);
     if (reach == 0) return;
     reach = whole_reach > 0 ? min(1.02 * reach, whole_reach) : reach;
     cell.select(sub_cell, reach);
     for (int i = from; i < to; ++i) {
-      const int k = i - base;
-      while (pending[k] && !(searches[k].h > reach)) {  // a NaN is met and fails
-        if (whole_reach > 0) set_zero(sums[k]);
-        add_sums(cell, i, searches[k].h, sums[k]);
-        if (whole_reach == 0) break;
-        advance_one(k);
+      Task& task = tasks[i - base];
+      if (task.done) continue;
+      if (whole_reach > 0)
+        follow(cell, i, reach, task, counts);
+      else
+        add_share(cell, i, task);
+    }
+  }
+
+  /// Searches as far as the candidates reach; the neighbours listed for one trial serve those near it as well.
+  void follow(Cell& cell, int i, double reach, Task& task, SupportCounts& counts) const {
+    const auto values = Base::target_of(cell, i);
+    double listed = 0;
+    while (task.result == Result::search && !(task.search.h > reach)) {  // a NaN is met and fails
+      if (!(task.search.h <= listed)) {
+        listed = min(1.01 * task.search.h, reach);
+        cell.list(values.x, listed);
       }
+      task.shapes = shapes(cell, task.search.h);
+      advance(task, i);
+    }
+    if (task.result == Result::search) return;
+    if (listed == 0) cell.list(values.x, task.search.h);
+    add_terms(cell, values, task);
+    finish(task, i, counts);
+  }
+
+  void add_share(Cell& cell, int i, Task& task) const {
+    const auto values = Base::target_of(cell, i);
+    cell.list(values.x, task.search.h);
+    if (task.result != Result::search) return add_terms(cell, values, task);
+    const ShapeSums<double> share = shapes(cell, task.search.h);
+    task.shapes.w += share.w;
+    task.shapes.q_dw += share.q_dw;
+  }
+
+  ShapeSums<double> shapes(const Cell& cell, double h) const {
+    const auto& neighbours = cell.neighbours();
+    const Pack h_inv = static_cast<T>(1 / h);
+    ShapeSums<Pack> sums{Pack(T(0)), Pack(T(0))};
+    const T* r2 = neighbours.template row<Distance2>();
+    for (int k = 0; k < neighbours.count; k += Cell::width) add_shape(sums, load<Pack>(r2 + k), h_inv);
+    return {sum_lanes(sums.w), sum_lanes(sums.q_dw)};
+  }
+
+  void add_terms(const Cell& cell, auto values, Task& task) const {
+    if constexpr (Terms::List::size > 0) {
+      const auto& neighbours = cell.neighbours();
+      values.h_inv = Pack(static_cast<T>(1 / task.search.h));
+      Values<Pack, D, typename Terms::Adds> packs;
+      set_zero(packs);
+      for (int k = 0; k < neighbours.count; k += Cell::width) {
+        const auto j = neighbours.template load<Pack>(k);
+        terms(packs, values, j, gather_pair<Pack, D>(state.smoothing, values, j));
+      }
+      accumulate(task.sums, packs);
     }
   }
 };
 
 }  // namespace detail
 
-/// Support radii, n, rho and the other gather sums of every particle, by Newton's method from the present h (S12 eq 6,
-/// 11). A search ends when its step is below accept * h; the sums are then carried over to first order.
+/// Support radii and number densities of the active particles by Newton's method from the present h (S12 eq 11), then
+/// the scheme's further sums (rho and others) at the final h. A search ends when its step is below accept * h; n is
+/// then carried over to first order.
 template <class S>
 SupportCounts find_support(const State<S>& state, double accept) {
-  using Find = detail::FindSupport<S>;
-  const Find find{state, typename S::DensityTerms(state.parameters), accept};
   SupportCounts counts;
-  if (state.n == 0) return counts;
-  if constexpr (tiles_pay) {
-    auto policy = typename Find::Policy(state.tree.cells(), 1)
-                      .set_scratch_size(Find::scratch_level, Kokkos::PerTeam(Find::Cell::scratch_bytes()));
-    Kokkos::parallel_reduce("smoothing length", policy, find, Kokkos::Sum<SupportCounts>(counts));
-  } else {
-    Kokkos::parallel_reduce("smoothing length", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), find,
-                            Kokkos::Sum<SupportCounts>(counts));
-  }
+  run_pairs("smoothing length", detail::FindSupport<S>(state, accept), Kokkos::Sum<SupportCounts>(counts));
   return counts;
 }
 

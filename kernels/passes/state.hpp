@@ -2,6 +2,7 @@
 
 #include "kernels/cells/cell_tree.hpp"
 #include "kernels/cells/sorter.hpp"
+#include "kernels/cells/tile.hpp"
 #include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/term_set.hpp"
 
@@ -19,6 +20,27 @@ struct Layout {
   using ThermalForm = Form;
 };
 
+/// The particles whose step ends now: all of them, or those of the masks. Pair loops compute these alone.
+struct ActiveSet {
+  bool everyone = true;
+  int count = 0;                                  ///< cells that hold active particles
+  Kokkos::View<int*, MemorySpace> cell_numbers;   ///< the first `count`: those cells
+  Kokkos::View<TargetMask*, MemorySpace> masks;   ///< of every cell
+
+  template <int D>
+  int cells(const CellTree<D>& tree) const {
+    return everyone ? tree.cells() : count;
+  }
+  KOKKOS_INLINE_FUNCTION int cell(int k) const { return everyone ? k : cell_numbers(k); }
+  template <int D>
+  KOKKOS_INLINE_FUNCTION TargetMask targets(const CellTree<D>& tree, int cell) const {
+    return everyone ? all_targets(tree, cell) : masks(cell);
+  }
+  KOKKOS_INLINE_FUNCTION bool contains(int i) const {
+    return everyone || (masks(i / cell_size) >> (i % cell_size) & 1);
+  }
+};
+
 /// The particles of a run, sorted, with their cells. Copied into functors by value.
 template <class L>
 struct Particles {
@@ -29,6 +51,7 @@ struct Particles {
   Ids ids;
   CellTree<L::dimension> tree;
   Parameters parameters;
+  ActiveSet active{};
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {

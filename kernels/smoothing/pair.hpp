@@ -23,15 +23,6 @@ KOKKOS_FORCEINLINE_FUNCTION P power_of_dimension(const P& x) {
     return x * x * x;
 }
 
-namespace detail {
-/// 1/r, finite for coincident particles, so that e_ij = r_ij / r = 0 there.
-template <class P>
-KOKKOS_FORCEINLINE_FUNCTION P inverse_length(const P& r2) {
-  using T = lane_t<P>;
-  return P(T(1)) / sphk::sqrt(sphk::max(r2, P(Kokkos::Experimental::norm_min_v<T>)));
-}
-}  // namespace detail
-
 /// A pair as the gather sums of particle i see it: W(r_ij, h_i) alone.
 template <class P, int D>
 struct GatherPair {
@@ -42,21 +33,30 @@ struct GatherPair {
   Vec<P, D> grad_W;  ///< grad_i W(r, h_i)
 };
 
+namespace detail {
+/// 1/r, finite for coincident particles, so that e_ij = r_ij / r = 0 there.
+template <class P>
+KOKKOS_FORCEINLINE_FUNCTION P inverse_length(const P& r) {
+  using T = lane_t<P>;
+  return P(T(1)) / sphk::max(r, P(T(1e-18)));
+}
+}  // namespace detail
+
+/// j holds the separation from i beside its own values.
 template <class P, int D, class Kernel>
 KOKKOS_FORCEINLINE_FUNCTION GatherPair<P, D> gather_pair(const Smoothing<Kernel, D>& smoothing, const auto& i,
                                                          const auto& j) {
   using T = lane_t<P>;
   GatherPair<P, D> ij;
-  ij.r_ij = i.x - j.x;
-  const P r2 = dot(ij.r_ij, ij.r_ij);
-  const P r_inv = detail::inverse_length(r2);
-  ij.q = r2 * r_inv * i.h_inv;
+  ij.r_ij = j.r_ij;
+  const P r = sphk::sqrt(j.r2);
+  ij.q = r * i.h_inv;
   const P scale = P(T(smoothing.norm)) * power_of_dimension<D>(i.h_inv);
   const Shape<P> shape = smoothing.kernel(ij.q);
   const Shape<P> own = with_own_derivative(smoothing.kernel, ij.q);
   ij.W = scale * shape.w;
   ij.dW_dh = -(scale * i.h_inv) * (P(T(D)) * own.w + ij.q * own.dw);
-  ij.grad_W = (scale * i.h_inv * shape.dw * r_inv) * ij.r_ij;
+  ij.grad_W = (scale * i.h_inv * shape.dw * detail::inverse_length(r)) * ij.r_ij;
   return ij;
 }
 
@@ -72,15 +72,15 @@ struct SymmetricPair {
   Vec<P, D> grad_W;    ///< their mean, grad_i Wbar
 };
 
+/// j holds the separation from i beside its own values.
 template <class P, int D, class Kernel>
 KOKKOS_FORCEINLINE_FUNCTION SymmetricPair<P, D> symmetric_pair(const Smoothing<Kernel, D>& smoothing, const auto& i,
                                                                const auto& j) {
   using T = lane_t<P>;
   SymmetricPair<P, D> ij;
-  ij.r_ij = i.x - j.x;
-  const P r2 = dot(ij.r_ij, ij.r_ij);
-  ij.r_inv = detail::inverse_length(r2);
-  ij.r = r2 * ij.r_inv;
+  ij.r_ij = j.r_ij;
+  ij.r = sphk::sqrt(j.r2);
+  ij.r_inv = detail::inverse_length(ij.r);
   ij.q = ij.r * i.h_inv;
   ij.q_min = ij.r * sphk::min(i.h_inv, j.h_inv);
   const P norm = P(T(smoothing.norm));

@@ -5,18 +5,6 @@
 
 namespace sphk {
 
-/// n_i = sum_j W(r_ij, h_i) and its derivative in h (S12 eq 11): what the smoothing length follows.
-struct NumberDensitySum : PlainTerm {
-  using PlainTerm::PlainTerm;
-  using Reads = List<Position>;
-  using Adds = List<NumberDensity, NumberDensitySlope>;
-  static constexpr int flops = 2;
-  KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto&, const auto&, const auto& ij) const {
-    sum.n = sum.n + ij.W;
-    sum.dn_dh = sum.dn_dh + ij.dW_dh;
-  }
-};
-
 /// rho_i = sum_j m_j W(r_ij, h_i) (S12 eq 6) and its derivative in h.
 struct DensitySum : PlainTerm {
   using PlainTerm::PlainTerm;

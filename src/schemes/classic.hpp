@@ -5,7 +5,7 @@
 
 namespace sphk {
 
-using ClassicDensity = TermSet<NumberDensitySum, DensitySum, VelocityDivergenceSum, VelocityCurlSum>;
+using ClassicDensity = TermSet<DensitySum, VelocityDivergenceSum, VelocityCurlSum>;
 using ClassicStep = Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, Rates, KickTimeStep>;
 
 }  // namespace sphk

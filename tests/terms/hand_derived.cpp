@@ -82,17 +82,14 @@ TEST(Terms, zeroth_order_error) {
   EXPECT_NEAR((share<ZerothOrderError, double, 1>(p.i, p.j).E0[0]), wanted, rounding * std::abs(wanted));
 }
 
-TEST(Terms, density_and_number_density) {
+TEST(Terms, density) {
   const TwoParticles<double, 1> p;
-  Values<double, 1, Union<NumberDensitySum::Adds, DensitySum::Adds, VelocityDivergenceSum::Adds>> sum;
+  Values<double, 1, Union<DensitySum::Adds, VelocityDivergenceSum::Adds>> sum;
   set_zero(sum);
-  const auto ij = gather_pair<double, 1>(Smoothing<CubicSpline, 1>(CubicSpline{}), p.i, p.j);
-  NumberDensitySum{}(sum, p.i, p.j, ij);
+  const auto ij = gather_pair<double, 1>(Smoothing<CubicSpline, 1>(CubicSpline{}), p.i, seen_from(p.i, p.j));
   DensitySum{}(sum, p.i, p.j, ij);
   VelocityDivergenceSum{}(sum, p.i, p.j, ij);
   // W = 4/3/2 * 2 (1/4)^3 = 1/48; dW/dh = -(4/3)/4 (w + q w') = -(1/3)(1/32 - 9/32) = 1/12.
-  EXPECT_NEAR(sum.n, 1.0 / 48, rounding);
-  EXPECT_NEAR(sum.dn_dh, 1.0 / 12, rounding);
   EXPECT_NEAR(sum.rho, 2.0 / 48, rounding);
   EXPECT_NEAR(sum.drho_dh, 2.0 / 12, rounding);
   EXPECT_NEAR(sum.div_v, -2 * -1 * dW_i_1d, rounding) << "not yet divided by rho: converging flow, negative";
@@ -103,7 +100,7 @@ TEST(Terms, curl_of_a_pair_in_two_dimensions) {
   VelocityCurlSum term;
   Values<double, 2, VelocityCurlSum::Adds> sum;
   set_zero(sum);
-  const auto ij = gather_pair<double, 2>(Smoothing<CubicSpline, 2>(CubicSpline{}), p.i, p.j);
+  const auto ij = gather_pair<double, 2>(Smoothing<CubicSpline, 2>(CubicSpline{}), p.i, seen_from(p.i, p.j));
   term(sum, p.i, p.j, ij);
   // m_j (v_ij x grad W)_z = -m_j v_ij,y dW/dr with e along x; v_ij,y = -3/2; N_2 = 40/(7 pi).
   const double dW = 40 / (7 * M_PI) / 8 * (-3.0 / 8);

@@ -17,7 +17,7 @@
 namespace sphk::test {
 
 /// Every field that a pair term reads.
-using Everything = List<Position, Velocity, Mass, Support, InverseSupport, Density, InverseDensity, Pressure,
+using Everything = List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density, InverseDensity, Pressure,
                         PressureOverDensity2, GradHMass, SoundSpeed, Balsara>;
 
 template <class T, int D>
@@ -26,6 +26,14 @@ using Particle = Values<T, D, Everything>;
 template <class Term, class T, int D>
 using SumsOf = Values<T, D, typename Term::Adds>;
 
+/// j as a neighbour of i.
+template <class T, int D>
+Particle<T, D> seen_from(const Particle<T, D>& i, Particle<T, D> j) {
+  j.r_ij = i.x - j.x;
+  j.r2 = dot(j.r_ij, j.r_ij);
+  return j;
+}
+
 /// The share of the pair in i's sums, for term `Term` and the cubic spline.
 template <class Term, class T, int D>
 SumsOf<Term, T, D> share(const Particle<T, D>& i, const Particle<T, D>& j, const Parameters& parameters = {}) {
@@ -33,7 +41,8 @@ SumsOf<Term, T, D> share(const Particle<T, D>& i, const Particle<T, D>& j, const
   set_zero(sum);
   const Smoothing<CubicSpline, D> smoothing(CubicSpline{});
   const Term term(parameters);
-  term(sum, i, j, symmetric_pair<T, D>(smoothing, i, j));
+  const Particle<T, D> neighbour = seen_from(i, j);
+  term(sum, i, neighbour, symmetric_pair<T, D>(smoothing, i, neighbour));
   return sum;
 }
 
