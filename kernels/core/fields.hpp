@@ -206,6 +206,86 @@ struct Balsara {
   };
 };
 
+/// grad(div v).
+struct GradVelocityDivergence {
+  static constexpr const char* name = "GradVelocityDivergence";
+  template <class T, int D>
+  struct Value {
+    Vec<T, D> grad_div_v;
+  };
+};
+
+/// alpha of the convergence switch (S12 eq 21-23), in [0, 1], before Balsara's factor.
+struct Alpha {
+  static constexpr const char* name = "Alpha";
+  template <class T, int D>
+  struct Value {
+    T alpha;
+  };
+};
+
+/// alpha_i as the viscosity uses it, with Balsara's factor.
+struct ViscosityAlpha {
+  static constexpr const char* name = "ViscosityAlpha";
+  template <class T, int D>
+  struct Value {
+    T alpha_v;
+  };
+};
+
+/// alpha_i as the dissipation of entropy and mass uses it.
+struct DissipationAlpha {
+  static constexpr const char* name = "DissipationAlpha";
+  template <class T, int D>
+  struct Value {
+    T alpha_d;
+  };
+};
+
+struct HalfStepMass {
+  static constexpr const char* name = "HalfStepMasses";
+  template <class T, int D>
+  struct Value {
+    T m_half;
+  };
+};
+
+/// dm/dt by mass dissipation.
+struct MassRate {
+  static constexpr const char* name = "MassRate";
+  template <class T, int D>
+  struct Value {
+    T dm;
+  };
+};
+
+/// Momentum that exchanged mass brings, against the velocity of the particle that gains it.
+struct MassMomentum {
+  static constexpr const char* name = "MassMomentumRate";
+  template <class T, int D>
+  struct Value {
+    Vec<T, D> dm_v;
+  };
+};
+
+/// Energy that exchanged mass brings, against the energy of the particle that gains it.
+struct MassEnergy {
+  static constexpr const char* name = "MassEnergyRate";
+  template <class T, int D>
+  struct Value {
+    T dm_e;
+  };
+};
+
+/// sum_j (dm_j/dt) W(r_ij, h_i): how the exchange of mass changes the density.
+struct MassDensityRate {
+  static constexpr const char* name = "MassDensityRate";
+  template <class T, int D>
+  struct Value {
+    T dm_W;
+  };
+};
+
 struct Acceleration {
   static constexpr const char* name = "Acceleration";
   template <class T, int D>

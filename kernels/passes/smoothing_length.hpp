@@ -2,7 +2,7 @@
 
 #include "kernels/passes/pair_loop.hpp"
 #include "kernels/passes/support_search.hpp"
-#include "kernels/terms/density.hpp"
+#include "kernels/terms/velocity_gradient.hpp"
 
 namespace sphk {
 
@@ -33,22 +33,30 @@ struct SupportCounts {
 
 namespace detail {
 
-/// Sums of w(q) and q dw/dq over the neighbours of a particle at one trial h; n and dn/dh follow.
+/// Sums over the neighbours of a particle at one trial h, without the norm: n, rho and their slopes in h follow.
 template <class T>
 struct ShapeSums {
-  T w, q_dw;
+  T w, q_dw;      ///< of w(q) and q dw/dq
+  T m_w, m_q_dw;  ///< the same times m_j
+
+  template <class U>
+  KOKKOS_FORCEINLINE_FUNCTION void operator+=(const ShapeSums<U>& b) {
+    w = w + T(b.w);
+    q_dw = q_dw + T(b.q_dw);
+    m_w = m_w + T(b.m_w);
+    m_q_dw = m_q_dw + T(b.m_q_dw);
+  }
 };
 
 template <class S>
-struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms::Reads>, Reach::gather> {
+struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::DensityTerms::Reads>, Reach::gather> {
   using Terms = typename S::DensityTerms;
-  using Base = PairLoop<S, Union<List<Position>, typename Terms::Reads>, Reach::gather>;
+  using Base = PairLoop<S, Union<List<Position, Mass>, typename Terms::Reads>, Reach::gather>;
   using Base::D;
   using Base::state;
   using typename Base::Cell;
   using typename Base::Pack;
   using typename Base::T;
-  using Found = Values<double, D, List<NumberDensity, NumberDensitySlope>>;
   using Sums = Values<double, D, typename Terms::Adds>;
   using Result = SupportSearch::Result;
 
@@ -60,42 +68,44 @@ struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms:
   /// One particle's search.
   struct Task {
     SupportSearch search;
-    ShapeSums<double> shapes{0, 0};
+    ShapeSums<double> shapes{};
     Sums sums;
     Result result = Result::search;
     bool done = true;
   };
 
   template <class P>
-  KOKKOS_FORCEINLINE_FUNCTION void add_shape(ShapeSums<P>& sums, const P& r2, const P& h_inv) const {
+  KOKKOS_FORCEINLINE_FUNCTION ShapeSums<P> shape_of(const P& r2, const P& m, const P& h_inv) const {
     const P q = sphk::sqrt(r2) * h_inv;
     const Shape<P> shape = with_own_derivative(state.smoothing.kernel, q);
-    sums.w = sums.w + shape.w;
-    sums.q_dw = sums.q_dw + q * shape.dw;
+    const P q_dw = q * shape.dw;
+    return {shape.w, q_dw, m * shape.w, m * q_dw};
   }
 
-  /// Takes n = N_D h^-D sum w and dn/dh = -N_D h^(-D-1) sum (D w + q dw) of the trial h to the next one.
+  /// Takes n = N_D h^-D sum w (S12 eq 11) and dn/dh = -N_D h^(-D-1) sum (D w + q dw) of the trial h to the next one;
+  /// at the end of the search stores them and rho = N_D h^-D sum m_j w (S12 eq 6), carried over the last move.
   KOKKOS_INLINE_FUNCTION void advance(Task& task, int i) const {
     const Parameters& p = state.parameters;
+    const ShapeSums<double>& sums = task.shapes;
     const double h_inv = 1 / task.search.h, scale = state.smoothing.norm * power_of_dimension<D>(h_inv);
-    Found found;
-    found.n = scale * task.shapes.w;
-    found.dn_dh = -scale * h_inv * (D * task.shapes.w + task.shapes.q_dw);
+    const double n = scale * sums.w, dn_dh = -scale * h_inv * (D * sums.w + sums.q_dw);
+    const double rho = scale * sums.m_w, drho_dh = -scale * h_inv * (D * sums.m_w + sums.m_q_dw);
     double move = 0;
-    task.result = task.search.template advance<D>(found.n, found.dn_dh, p.neighbours, accept, p.h_max, move);
+    task.result = task.search.template advance<D>(n, dn_dh, p.neighbours, accept, p.h_max, move);
     if (task.result == Result::search) return;
-    found.n += found.dn_dh * move;
-    state.columns.store(i, found);
+    state.template at<NumberDensity>(i) = n + dn_dh * move;
+    state.template at<NumberDensitySlope>(i) = dn_dh;
+    state.template at<Density>(i) = rho + drho_dh * move;
+    if constexpr (contains<DensitySlope, typename S::Fields>) state.template at<DensitySlope>(i) = drho_dh;
     state.template at<Support>(i) = task.search.h;
     state.template at<InverseSupport>(i) = 1 / task.search.h;
   }
 
   KOKKOS_INLINE_FUNCTION void finish(Task& task, int i, SupportCounts& counts) const {
     Sums& sums = task.sums;
-    if constexpr (contains<Density, typename Terms::Adds>) {
-      if constexpr (contains<VelocityDivergence, typename Terms::Adds>) sums.div_v /= sums.rho;
-      if constexpr (contains<VelocityCurl, typename Terms::Adds>) sums.curl_v = (1 / sums.rho) * sums.curl_v;
-    }
+    const double rho = state.template at<Density>(i);
+    if constexpr (contains<VelocityDivergence, typename Terms::Adds>) sums.div_v /= rho;
+    if constexpr (contains<VelocityCurl, typename Terms::Adds>) sums.curl_v = (1 / rho) * sums.curl_v;
     state.columns.store(i, sums);
     task.done = true;
     counts.count(task.search, task.result);
@@ -110,13 +120,8 @@ struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms:
     task.search = {state.template at<Support>(i)};
     while (task.result == Result::search) {
       const T h_inv = static_cast<T>(1 / task.search.h);
-      task.shapes = {0, 0};
-      walk.for_each(i, task.search.h, [&](const auto& j) {
-        ShapeSums<T> pair{0, 0};
-        add_shape(pair, j.r2, h_inv);
-        task.shapes.w += pair.w;
-        task.shapes.q_dw += pair.q_dw;
-      });
+      task.shapes = {};
+      walk.for_each(i, task.search.h, [&](const auto& j) { task.shapes += shape_of(j.r2, j.m, h_inv); });
       advance(task, i);
     }
     values.h_inv = static_cast<T>(1 / task.search.h);
@@ -166,7 +171,7 @@ struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms:
   }
 
   static void clear(Task& task) {
-    task.shapes = {0, 0};
+    task.shapes = {};
     set_zero(task.sums);
   }
 
@@ -212,18 +217,18 @@ struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms:
     const auto values = Base::target_of(cell, i);
     cell.list(values.x, task.search.h);
     if (task.result != Result::search) return add_terms(cell, values, task);
-    const ShapeSums<double> share = shapes(cell, task.search.h);
-    task.shapes.w += share.w;
-    task.shapes.q_dw += share.q_dw;
+    task.shapes += shapes(cell, task.search.h);
   }
 
   ShapeSums<double> shapes(const Cell& cell, double h) const {
     const auto& neighbours = cell.neighbours();
     const Pack h_inv = static_cast<T>(1 / h);
-    ShapeSums<Pack> sums{Pack(T(0)), Pack(T(0))};
-    const T* r2 = neighbours.template row<Distance2>();
-    for (int k = 0; k < neighbours.count; k += Cell::width) add_shape(sums, load<Pack>(r2 + k), h_inv);
-    return {sum_lanes(sums.w), sum_lanes(sums.q_dw)};
+    const Pack zero = T(0);
+    ShapeSums<Pack> sums{zero, zero, zero, zero};
+    const T *r2 = neighbours.template row<Distance2>(), *m = neighbours.template row<Mass>();
+    for (int k = 0; k < neighbours.count; k += Cell::width)
+      sums += shape_of(load<Pack>(r2 + k), load<Pack>(m + k), h_inv);
+    return {sum_lanes(sums.w), sum_lanes(sums.q_dw), sum_lanes(sums.m_w), sum_lanes(sums.m_q_dw)};
   }
 
   void add_terms(const Cell& cell, auto values, Task& task) const {
@@ -243,9 +248,9 @@ struct FindSupport : PairLoop<S, Union<List<Position>, typename S::DensityTerms:
 
 }  // namespace detail
 
-/// Support radii and number densities of the active particles by Newton's method from the present h (S12 eq 11), then
-/// the scheme's further sums (rho and others) at the final h. A search ends when its step is below accept * h; n is
-/// then carried over to first order.
+/// Support radii, n and rho of the active particles by Newton's method from the present h (S12 eq 6, 11), then the
+/// scheme's further sums at the final h. A search ends when its step is below accept * h; n and rho are then carried
+/// over to first order.
 template <class S>
 SupportCounts find_support(const State<S>& state, double accept) {
   SupportCounts counts;

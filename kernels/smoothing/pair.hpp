@@ -70,6 +70,7 @@ struct SymmetricPair {
   Vec<P, D> grad_W_i;  ///< grad_i W(r, h_i)
   Vec<P, D> grad_W_j;  ///< grad_i W(r, h_j)
   Vec<P, D> grad_W;    ///< their mean, grad_i Wbar
+  P dW;                ///< e_ij . grad_i Wbar: dWbar/dr, zero for coincident particles
 };
 
 /// j holds the separation from i beside its own values.
@@ -88,7 +89,9 @@ KOKKOS_FORCEINLINE_FUNCTION SymmetricPair<P, D> symmetric_pair(const Smoothing<K
   const P dW_j = norm * j.h_inv * power_of_dimension<D>(j.h_inv) * smoothing.kernel(ij.r * j.h_inv).dw * ij.r_inv;
   ij.grad_W_i = dW_i * ij.r_ij;
   ij.grad_W_j = dW_j * ij.r_ij;
-  ij.grad_W = (P(T(0.5)) * (dW_i + dW_j)) * ij.r_ij;
+  const P dW_r = P(T(0.5)) * (dW_i + dW_j);
+  ij.grad_W = dW_r * ij.r_ij;
+  ij.dW = dW_r * ij.r;
   return ij;
 }
 

@@ -2,7 +2,7 @@
 
 #include "kernels/smoothing/johnson.hpp"
 #include "kernels/terms/apart.hpp"
-#include "kernels/terms/density.hpp"
+#include "kernels/terms/neighbour_count.hpp"
 #include "kernels/terms/zeroth_order_error.hpp"
 #include "src/engine/output.hpp"
 

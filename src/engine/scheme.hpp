@@ -13,7 +13,7 @@ struct Passes {
 };
 
 /// A scheme: dimension, smoothing kernel, pair arithmetic (float or double), thermal variable, the sums of the density
-/// loop beside n and dn/dh, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not allocated, not
+/// loop beside n and rho, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not allocated, not
 /// run.
 template <int D, class K, class T, class Form, class DensitySums, class Terms, class StepPasses>
 struct Scheme {
@@ -27,7 +27,7 @@ struct Scheme {
 
   using Base =
       List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support, InverseSupport,
-           NumberDensity, NumberDensitySlope>;
+           NumberDensity, NumberDensitySlope, Density>;
   using Known = Union<Base, typename DensityTerms::Adds, typename StepPasses::Writes>;
   static_assert(is_subset<typename RateTerms::Reads, Known>,
                 "a term reads a field that no pass of this scheme computes: add the pass or the density sum that does");

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "kernels/terms/density.hpp"
+#include "kernels/terms/velocity_gradient.hpp"
 #include "src/engine/scheme.hpp"
 
 namespace sphk {
 
-using ClassicDensity = TermSet<DensitySum, VelocityDivergenceSum, VelocityCurlSum>;
+using ClassicDensity = TermSet<VelocityDivergenceSum, VelocityCurlSum>;
 using ClassicStep = Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, Rates, KickTimeStep>;
 
 }  // namespace sphk

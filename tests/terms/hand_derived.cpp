@@ -82,16 +82,15 @@ TEST(Terms, zeroth_order_error) {
   EXPECT_NEAR((share<ZerothOrderError, double, 1>(p.i, p.j).E0[0]), wanted, rounding * std::abs(wanted));
 }
 
-TEST(Terms, density) {
+TEST(Terms, velocity_divergence_and_kernel_of_a_gather_pair) {
   const TwoParticles<double, 1> p;
-  Values<double, 1, Union<DensitySum::Adds, VelocityDivergenceSum::Adds>> sum;
+  Values<double, 1, VelocityDivergenceSum::Adds> sum;
   set_zero(sum);
   const auto ij = gather_pair<double, 1>(Smoothing<CubicSpline, 1>(CubicSpline{}), p.i, seen_from(p.i, p.j));
-  DensitySum{}(sum, p.i, p.j, ij);
   VelocityDivergenceSum{}(sum, p.i, p.j, ij);
   // W = 4/3/2 * 2 (1/4)^3 = 1/48; dW/dh = -(4/3)/4 (w + q w') = -(1/3)(1/32 - 9/32) = 1/12.
-  EXPECT_NEAR(sum.rho, 2.0 / 48, rounding);
-  EXPECT_NEAR(sum.drho_dh, 2.0 / 12, rounding);
+  EXPECT_NEAR(ij.W, 1.0 / 48, rounding);
+  EXPECT_NEAR(ij.dW_dh, 1.0 / 12, rounding);
   EXPECT_NEAR(sum.div_v, -2 * -1 * dW_i_1d, rounding) << "not yet divided by rho: converging flow, negative";
 }
 

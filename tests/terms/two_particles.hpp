@@ -4,7 +4,7 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/pair.hpp"
-#include "kernels/terms/density.hpp"
+#include "kernels/terms/velocity_gradient.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_sph.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
