@@ -4,6 +4,7 @@
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mixing.hpp"
 #include "src/scenes/scenes.hpp"
+#include "src/scenes/temperatures.hpp"
 
 namespace sphk {
 
@@ -71,6 +72,7 @@ class Blob final : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 48, "wind particles across the box, which is 10 cloud radii wide and 30 long");
     declare_masses(settings, "equal");
+    declare_temperatures(settings);
     prefer_unless_set(settings, "output.snapshots", std::int64_t{8});
     prefer_usual_gas(settings, 2 * growth_time());
     adapt(settings);
@@ -95,6 +97,7 @@ class Blob final : public Scene {
       gas.u.push_back(energy(settings, dense ? rho_cloud : 1));
       gas.tag.push_back(dense ? dense_gas : light_gas);
     }
+    smooth_temperatures(gas, pressure(settings), settings);
     return gas;
   }
 

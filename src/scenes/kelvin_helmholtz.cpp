@@ -24,11 +24,11 @@ class KelvinHelmholtz final : public ShearLayers {
                        ratio_ == 2 ? "R10 sec 5" : "S12 sec 7.5", growth_time());
   }
   void declare(Settings& settings) const override {
+    ShearLayers::declare(settings);
     settings.declare({.name = "scene.edges",
                       .value = std::string("sharp"),
                       .doc = "of the layers; soft: density and velocity follow tanh(distance/0.01)",
                       .choices = {"sharp", "soft"}});
-    ShearLayers::declare(settings);
   }
 
  protected:

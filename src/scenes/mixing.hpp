@@ -45,7 +45,8 @@ struct CloudGas {
   double least_density = 0, highest_energy = 0;
 };
 
-/// cloud_mass: mass of the gas above that density and below that specific energy, over all mass of dense origin.
+/// cloud_mass: mass of the gas above that density and below that specific energy, over all mass of dense origin. At the
+/// start it is less than 1 by the cloud's skin, whose density the smoothing kernel lowers.
 double cloud_mass(const Snapshot& snapshot, const CloudGas& cloud);
 
 /// cloud_velocity: mean v_x of all gas of dense origin, by mass.

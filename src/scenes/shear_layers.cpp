@@ -4,6 +4,7 @@
 
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mass_profile.hpp"
+#include "src/scenes/temperatures.hpp"
 
 namespace sphk {
 
@@ -53,6 +54,7 @@ void ShearLayers::declare(Settings& settings) const {
                     .min = 1,
                     .max = 100000});
   declare_masses(settings, "equal");
+  declare_temperatures(settings);
   settings.declare(
       {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
@@ -80,6 +82,7 @@ ParticleSet ShearLayers::build(const Settings& settings) const {
     gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
     gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
   }
+  smooth_temperatures(gas, flow.pressure, settings);
   return gas;
 }
 

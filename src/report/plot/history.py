@@ -19,8 +19,8 @@ MEASURES = {
     "W": "$W$: width of the mixed zone",
     "mixA": "mass of mixed entropy",
     "crossed": "dense gas outside its layer",
-    "cloud_mass": "mass of the cloud over its start",
-    "cloud_velocity": "velocity of the cloud's gas",
+    "cloud_mass": "mass that is still cloud",
+    "cloud_velocity": "$v_x$ of the cloud's gas",
     "peak_density": r"largest density $\rho$",
 }
 GROWING = {"M"}  # exponentially: drawn on a logarithmic axis
