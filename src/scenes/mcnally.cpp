@@ -11,7 +11,7 @@ namespace {
 
 constexpr double ramp = 0.025;
 
-/// `light` and `dense` (between 1/4 and 3/4) joined by exponential ramps, McNally, Lyra & Passy (2012) eq 1 and 2.
+/// `light` and `dense` (between 1/4 and 3/4) joined by exponential ramps, McNally, Lyra & Passy (2012).
 double ramped(double light, double dense, double y) {
   const double inwards = 0.25 - std::abs(y - 0.5), half = (light - dense) / 2;
   const double tail = half * std::exp(-std::abs(inwards) / ramp);

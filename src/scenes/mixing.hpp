@@ -22,7 +22,7 @@ struct LayerGeometry {
 
 /// M: amplitude of v_y in the mode of that wavelength, near an interface y_i: 2 sqrt(S^2 + C^2) / N with
 /// S = sum v_y sin(kx) w V, C the same with the cosine, N = sum w V, w = exp(-k |y - y_i|), k = 2 pi / wavelength,
-/// V = m / rho, over the half of the box around y_i (McNally, Lyra & Passy 2012, eq 6-9). The mean over the two
+/// V = m / rho, over the half of the box around y_i (McNally, Lyra & Passy 2012). The mean over the two
 /// interfaces. A moving frame does not change it.
 double mode_amplitude(const Snapshot& snapshot, const LayerGeometry& layers);
 
