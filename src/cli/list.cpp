@@ -42,12 +42,12 @@ std::string rough_text(double seconds) {
 }  // namespace
 
 int list_command() {
-  fmt::print("{:<10} {:>10} {:>9}  {}\n", "scene", "particles", "cost", "what it is");
+  fmt::print("{:<15} {:>10} {:>9}  {}\n", "scene", "particles", "cost", "what it is");
   for (const Scene* scene : scenes()) {
     const Problem problem = resolve_problem(scene->name(), {});
     const Settings settings = with_lattice(problem.settings);
     const ParticleSet particles = scene->build(settings);
-    fmt::print("{:<10} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
+    fmt::print("{:<15} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
                "~" + rough_text(rough_seconds(particles, settings)), scene->summary());
   }
   fmt::print(

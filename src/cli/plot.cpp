@@ -59,7 +59,7 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, double time) {
   if (!exact) return nullptr;
   constexpr int points = 4000;
   const double gamma = problem.settings.real("sph.gamma");
-  const bool from_centre = hint.abscissa != "x";
+  const bool from_centre = hint.abscissa == "R" || hint.abscissa == "r";
   Json profile;
   for (int k = 0; k < points; ++k) {
     const double s = hint.from + (k + 0.5) / points * (hint.to - hint.from);
@@ -90,6 +90,7 @@ Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& p
                {"from", hint.from},
                {"to", hint.to},
                {"centre", hint.centre},
+               {"map", hint.map},
                {"exact", nullptr},
                {"title", snapshot.stem().string()}};
   if (!problem) return json;

@@ -24,6 +24,7 @@ class Engine final : public Simulation {
       : run_{load_run<S>(particles, settings, kernel)},
         counts_("neighbour counts", run_.state.n),
         origin_(particles.box),
+        tags_(phase_tags(particles)),
         steps_accept_(std::is_same_v<typename S::PairNumber, float> ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt) {
     pass_steps(typename S::Steps{});
@@ -66,7 +67,11 @@ class Engine final : public Simulation {
     return costs;
   }
 
-  Snapshot snapshot() const override { return take_snapshot<Layout>(run_.state, origin_, run_.time, run_.step); }
+  Snapshot snapshot() const override {
+    Snapshot snapshot = take_snapshot<Layout>(run_.state, origin_, run_.time, run_.step);
+    if (!tags_.values.empty()) snapshot.fields.push_back(tags_);
+    return snapshot;
+  }
 
   std::vector<Field> rates(bool split) override {
     if constexpr (std::is_same_v<typename S::PairNumber, double>) {
@@ -127,6 +132,7 @@ class Engine final : public Simulation {
   Run<S> run_;
   CountColumns<D> counts_;
   Box origin_;
+  Field tags_;  ///< they do not change, and snapshots are sorted by id too
   double steps_accept_, max_dt_;
   StepReport report_;
   Costs costs_;

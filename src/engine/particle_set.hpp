@@ -28,6 +28,7 @@ struct ParticleSet {
   std::vector<double> u;          ///< specific thermal energy
   std::vector<double> h;          ///< support radius; may be empty: the engine finds it
   std::vector<std::uint64_t> id;  ///< unique; may be empty: 1..n
+  std::vector<int> tag;           ///< where the gas comes from, a scene's own numbers; may be empty: no such thing
 
   std::size_t size() const { return x.size(); }
 };
@@ -46,9 +47,12 @@ struct Field {
   std::vector<double> values;
 };
 
+/// The tags of an initial condition as the output field "PhaseTags", sorted by id; without values where it has none.
+Field phase_tags(const ParticleSet& particles);
+
 /// The state of a run at one time, on the host, sorted by particle id.
 /// Always there: Coordinates (3), Velocities (3), Masses, Densities, InternalEnergies, Pressures, SmoothingLength (the
-/// support radius) and Entropies (A = P / rho^gamma); a scheme adds its own.
+/// support radius) and Entropies (A = P / rho^gamma); a scheme adds its own. PhaseTags where the particles had tags.
 struct Snapshot {
   int dimension = 3;
   Box box;

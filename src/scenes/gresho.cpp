@@ -48,8 +48,7 @@ class Gresho : public Scene {
                       .doc = "particles along the axis of the vortex; 0: n/8, as in S12", .choices = {}, .min = 0,
                       .max = 100000});
     declare_arrangement(settings, "cubic");
-    prefer_unless_set(settings, "time.end", 1.0);
-    prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
+    prefer_usual_gas(settings, 1.0);
     adapt(settings);
   }
   void adapt(Settings& settings) const override {

@@ -25,6 +25,19 @@ void declare_dimension(Settings& settings, int standard, int min) {
                     .choices = {}, .min = double(min), .max = 3});
 }
 
+void declare_masses(Settings& settings, const std::string& standard) {
+  settings.declare({.name = "scene.masses", .value = standard,
+                    .doc = "equal: more particles in the dense gas; multi: even spacing, heavier particles there",
+                    .choices = {"equal", "multi"}});
+}
+
+bool has_equal_masses(const Settings& settings) { return settings.text("scene.masses") == "equal"; }
+
+void prefer_usual_gas(Settings& settings, double end) {
+  prefer_unless_set(settings, "time.end", end);
+  prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
+}
+
 double usual_neighbours(int dimension) { return dimension == 1 ? 5 : dimension == 2 ? 20 : 48; }
 
 int scene_n(const Settings& settings) { return static_cast<int>(settings.integer("scene.n")); }

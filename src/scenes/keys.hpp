@@ -17,6 +17,12 @@ void declare_arrangement(Settings& settings, const std::string& standard);
 /// scene.dimension: `min` to 3.
 void declare_dimension(Settings& settings, int standard, int min = 1);
 
+/// scene.masses: equal (the dense gas has more particles) | multi (even spacing, heavier particles).
+void declare_masses(Settings& settings, const std::string& standard);
+bool has_equal_masses(const Settings& settings);
+/// gamma = 5/3 and this end time, where the user set neither.
+void prefer_usual_gas(Settings& settings, double end);
+
 /// N_n for a support of about 2.3 to 2.5 mean spacings: 48 in 3D, 20 in 2D, 5 in 1D.
 double usual_neighbours(int dimension);
 

@@ -31,8 +31,7 @@ class Noh : public Scene {
     declare_arrangement(settings, "cubic");
     settings.declare({.name = "scene.cold_pressure", .value = 1e-6, .doc = "pressure of the cold gas at the start",
                       .choices = {}, .min = 1e-300});
-    prefer_unless_set(settings, "time.end", 0.6);
-    prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
+    prefer_usual_gas(settings, 0.6);
     adapt(settings);
   }
   void adapt(Settings& settings) const override {

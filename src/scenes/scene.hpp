@@ -27,10 +27,11 @@ struct ErrorNorm {
 
 /// How `sphk plot` draws a scene: against which coordinate, which fields, over which range.
 struct PlotHint {
-  std::string abscissa = "x";  ///< x | R (cylindrical) | r (spherical)
+  std::string abscissa = "x";  ///< x | y | R (cylindrical) | r (spherical)
   std::vector<std::string> fields{"rho", "v", "P"};
   double from = 0, to = 1;
   Array3 centre{};
+  bool map = false;  ///< also a slice through the density; always drawn in 2D and around a centre
 };
 
 /// A named test problem: defaults, initial condition, exact solution, what it measures.

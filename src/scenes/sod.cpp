@@ -37,9 +37,10 @@ Tube tube_of(const Settings& settings) {
   const int n = scene_n(settings), across = static_cast<int>(settings.integer("scene.across"));
   const int ratio = v10 ? 4 : 8;
   const bool only_along = D == 1 || (v10 && settings.text("scene.lattice") == "cubic");
-  const int step = only_along ? ratio : 2;
+  const bool equal = has_equal_masses(settings);
+  const int step = !equal ? 1 : only_along ? ratio : 2;
   if (n % step != 0) throw InputError(fmt::format("scene.n = {}: this tube needs a multiple of {}", n, step));
-  if (across % 2 != 0) throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
+  if (equal && across % 2 != 0) throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
 
   Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}, .left_block = {}, .right_block = {}};
   if (v10) tube.right = {0.25, 0, 1.0 / 6};  // u = 1 with gamma 5/3
@@ -48,7 +49,7 @@ Tube tube_of(const Settings& settings) {
   for (int axis = 1; axis < D; ++axis) tube.left_block.size[axis] = double(across) / n;
   tube.right_block = tube.left_block;
   tube.right_block.lower[0] = 0;
-  tube.right_block.counts = thin_counts(tube.left_block.counts, ratio, only_along);
+  if (equal) tube.right_block.counts = thin_counts(tube.left_block.counts, ratio, only_along);
   return tube;
 }
 
@@ -63,8 +64,11 @@ void add_block(ParticleSet& gas, const Block& block, const TubeState& state, con
 
 class Sod : public Scene {
  public:
-  std::string name() const override { return "sod"; }
-  std::string summary() const override { return "shock tube of S12, R10 or V10 against the exact solution"; }
+  /// `masses`: the standard value of scene.masses.
+  Sod(std::string name, std::string summary, std::string masses)
+      : name_(std::move(name)), summary_(std::move(summary)), masses_(std::move(masses)) {}
+  std::string name() const override { return name_; }
+  std::string summary() const override { return summary_; }
 
   void declare(Settings& settings) const override {
     settings.declare({.name = "scene.variant", .value = std::string("s12"),
@@ -75,6 +79,7 @@ class Sod : public Scene {
                       .choices = {}, .min = 2, .max = 10000});
     declare_dimension(settings, 3);
     declare_arrangement(settings, "glass");
+    declare_masses(settings, masses_);
     prefer_unless_set(settings, "time.end", 0.2);
     adapt(settings);
   }
@@ -114,12 +119,20 @@ class Sod : public Scene {
     return profile_errors(snapshot, along_x(-0.5, 0.5), exact(settings));
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = -0.5, .to = 0.5}; }
+
+ private:
+  std::string name_, summary_, masses_;
 };
 
 }  // namespace
 
 const Scene& sod_scene() {
-  static const Sod scene;
+  static const Sod scene("sod", "shock tube of S12, R10 or V10 against the exact solution", "equal");
+  return scene;
+}
+
+const Scene& sod_multimass_scene() {
+  static const Sod scene("sod-multimass", "the tube evenly sampled by masses of ratio 8 (S12 sec 7.2)", "multi");
   return scene;
 }
 

@@ -38,8 +38,7 @@ class UniformGas : public Scene {
                       .min = 0, .max = 10});
     settings.declare({.name = "scene.seed", .value = std::int64_t{1}, .doc = "of the random shifts", .choices = {},
                       .min = 0});
-    prefer_unless_set(settings, "time.end", 0.1);
-    prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
+    prefer_usual_gas(settings, 0.1);
     adapt(settings);
   }
   void adapt(Settings& settings) const override {

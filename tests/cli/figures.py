@@ -56,6 +56,14 @@ class Figures(unittest.TestCase):
         self.assertGreater(colours(os.path.join(self.folder, names[1]))[1], 100)  # a map has shades
         self.assertGreater(os.path.getsize(os.path.join(self.folder, names[2])), 10000)
 
+    def test_layers_give_a_map_in_3d_and_their_measures(self):
+        self.sphk("run", "kh12", "-n", "16", "--set", "scene.layers=2", "--steps", "2", "--out", "layers")
+        names = self.sphk("plot", "layers").split()
+        self.assertEqual([os.path.basename(n) for n in names], ["snap_0001.png", "snap_0001_map.png", "history.png"])
+        self.assertGreater(colours(os.path.join(self.folder, names[1]))[1], 100)
+        height, width = matplotlib.image.imread(os.path.join(self.folder, names[2])).shape[:2]
+        self.assertGreater(height / width, 0.5)  # two rows of panels: the drifts and energies, then M, W, mixA, crossed
+
     def test_without_exact_there_is_no_exact_line(self):
         self.sphk("plot", "run/snap_0000.hdf5", "--no-exact", "--out", "bare.png")
         self.assertLess(share(colours(os.path.join(self.folder, "bare.png"))[0], "#d55e00"), 1e-4)

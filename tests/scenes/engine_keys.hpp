@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "src/scenes/scenes.hpp"
@@ -45,6 +46,24 @@ Snapshot snapshot_of(const ParticleSet& gas, double time, F&& state) {
 inline Snapshot exact_snapshot(const Scene& scene, const Settings& settings, double time) {
   const auto exact = scene.exact(settings);
   return snapshot_of(scene.build(settings), time, [&](const Array3& x) { return exact(x, time); });
+}
+
+/// The scene's particles as the snapshot of its start, with the exact densities `rho(x)`.
+template <class F>
+Snapshot start_snapshot(const ParticleSet& gas, double gamma, F&& rho) {
+  Snapshot snapshot{.dimension = gas.dimension, .box = gas.box, .gamma = gamma};
+  Field x{.name = "Coordinates", .components = 3}, v{.name = "Velocities", .components = 3};
+  Field m{.name = "Masses", .values = gas.m}, u{.name = "InternalEnergies", .values = gas.u};
+  Field density{.name = "Densities"}, A{.name = "Entropies"};
+  for (std::size_t i = 0; i < gas.size(); ++i) {
+    snapshot.id.push_back(i + 1);
+    x.values.insert(x.values.end(), gas.x[i].begin(), gas.x[i].end());
+    v.values.insert(v.values.end(), gas.v[i].begin(), gas.v[i].end());
+    density.values.push_back(rho(gas.x[i]));
+    A.values.push_back((gamma - 1) * gas.u[i] * std::pow(density.values[i], 1 - gamma));
+  }
+  snapshot.fields = {x, v, m, u, density, A, phase_tags(gas)};
+  return snapshot;
 }
 
 inline double total_mass(const ParticleSet& gas) {

@@ -24,8 +24,10 @@ TEST(SceneTable, UnknownNamesGetTheNearest) {
 
 /// Every scene on a small lattice: n particles per unit length.
 std::vector<std::pair<std::string, std::string>> small(const Scene& scene) {
-  std::vector<std::pair<std::string, std::string>> keys{{"scene.n", "16"}, {"scene.lattice", "cubic"}};
-  if (scene.name() == "sod") keys.emplace_back("scene.across", "4");
+  std::vector<std::pair<std::string, std::string>> keys{{"scene.n", "16"}};
+  const Settings known = settings_of(scene);
+  if (known.has("scene.lattice")) keys.emplace_back("scene.lattice", "cubic");
+  if (known.has("scene.across")) keys.emplace_back("scene.across", "4");
   return keys;
 }
 
@@ -36,20 +38,22 @@ TEST(SceneTable, ParticlesAreCompleteAndInTheBox) {
     EXPECT_EQ(gas.v.size(), gas.size()) << scene->name();
     EXPECT_EQ(gas.m.size(), gas.size()) << scene->name();
     EXPECT_EQ(gas.u.size(), gas.size()) << scene->name();
+    EXPECT_TRUE(gas.tag.empty() || gas.tag.size() == gas.size()) << scene->name();
     EXPECT_TRUE(inside_box(gas)) << scene->name();
     for (int axis = gas.dimension; axis < 3; ++axis) EXPECT_FALSE(gas.box.periodic[axis]) << scene->name();
   }
 }
 
 // The initial condition is the exact solution at t = 0: velocity and, with P = (gamma-1) rho u, the thermal energy.
-// Sedov's blast is a ball there and a point in the solution: only the gas outside of it is compared.
+// A blast is a ball or a particle there and a point in the solution: only the gas outside of it is compared.
 TEST(SceneTable, InitialConditionsEqualTheExactSolution) {
   for (const Scene* scene : scenes()) {
     const Settings settings = settings_of(*scene, small(*scene));
-    const ParticleSet gas = scene->build(settings);
     const auto exact = scene->exact(settings);
+    if (!exact) continue;
+    const ParticleSet gas = scene->build(settings);
     for (std::size_t i = 0; i < gas.size(); ++i) {
-      if (scene->name() == "sedov" && gas.u[i] > 1) continue;
+      if (settings.has("scene.energy") && gas.u[i] > 1) continue;
       const GasState state = exact(gas.x[i], 0);
       EXPECT_NEAR(gas.u[i] * (settings.real("sph.gamma") - 1) * state.rho, state.P, 1e-12) << scene->name() << ' ' << i;
       for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(gas.v[i][axis], state.v[axis], 1e-12) << scene->name();

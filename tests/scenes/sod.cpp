@@ -51,6 +51,23 @@ TEST(Sod, ChoosesTheDimensionAndNeighboursOfTheVariant) {
   EXPECT_EQ(settings_of(sod_scene()).real("time.end"), 0.2);
 }
 
+// S12 sec 7.2: one lattice, 2 x 16 x 4 x 4 particles, and the masses carry the density ratio of 8; so does V10's, of 4.
+TEST(Sod, MultimassTubeIsEvenlySpaced) {
+  const auto tube = [](const char* variant, const char* dimension) {
+    return sod_multimass_scene().build(
+        settings_of(sod_multimass_scene(), {{"scene.n", "16"}, {"scene.across", "4"}, {"scene.lattice", "cubic"},
+                                            {"scene.variant", variant}, {"scene.dimension", dimension}}));
+  };
+  const ParticleSet gas = tube("s12", "3");
+  ASSERT_EQ(gas.size(), 512u);
+  EXPECT_NEAR(gas.m.front(), std::pow(16, -3), 1e-18);
+  EXPECT_NEAR(gas.m.back(), std::pow(16, -3) / 8, 1e-18);
+  EXPECT_NEAR(total_mass(gas), 1.125 / 16, 1e-13);
+  EXPECT_EQ(gas.x.back()[0], 1 - 0.5 / 16);
+  EXPECT_EQ(tube("v10", "2").size(), 128u);
+  EXPECT_NEAR(total_mass(tube("v10", "2")), 1.25 / 4, 1e-13);
+}
+
 // V10 table 2: u = 1.5 and 1.
 TEST(Sod, V10sEnergies) {
   const auto gas = sod_scene().build(settings_of(sod_scene(), {{"scene.variant", "v10"}, {"scene.lattice", "cubic"}}));

@@ -1,4 +1,4 @@
-"""history.csv: reading it, and the figure of conservation, energies and errors against time."""
+"""history.csv: reading it, and the figure of conservation, energies, errors and measures against time."""
 
 import csv
 
@@ -13,6 +13,17 @@ DRIFTS = {
 }
 SYMBOLS = {"v": "$v$", "rho": r"$\rho$", "P": "$P$"}
 ENERGIES = {"total_energy": "total", "kinetic_energy": "kinetic", "thermal_energy": "thermal"}
+
+MEASURES = {
+    "M": "$M$: amplitude of the mode in $v_y$",
+    "W": "$W$: width of the mixed zone",
+    "mixA": "mass of mixed entropy",
+    "crossed": "dense gas outside its layer",
+    "cloud_mass": "mass that is still cloud",
+    "cloud_velocity": "$v_x$ of the cloud's gas",
+    "peak_density": r"largest density $\rho$",
+}
+GROWING = {"M"}  # exponentially: drawn on a logarithmic axis
 
 
 def read_history(path):
@@ -34,6 +45,13 @@ def errors_at(history, time):
     return {name: norm for name, norm in norms.items() if np.isfinite(norm)}
 
 
+def measures_of(history):
+    """The scene's own columns: they follow the standard ones, of which mass_drift is the last."""
+    names = list(history)
+    own = names[names.index("mass_drift") + 1:] if "mass_drift" in names else []
+    return [name for name in own if not name.startswith("l1_") and np.isfinite(history[name]).any()]
+
+
 def draw_lines(axes, history, names, first=0, floor=-np.inf):
     """One line a column, from row `first` on; values below `floor` sit on it: zeros on a logarithmic axis."""
     for k, (name, label) in enumerate(names.items()):
@@ -42,23 +60,49 @@ def draw_lines(axes, history, names, first=0, floor=-np.inf):
                   color=LINES[k % len(LINES)], label=label)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(r"time $t$")
-    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3,
-                columnspacing=1.2, handlelength=1.6)
+    if len(names) > 1:
+        axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3,
+                    columnspacing=1.2, handlelength=1.6)
+
+
+def draw_drifts(axes, history):
+    """How well the run conserves, as S12 fig. 10."""
+    drifts = {name: label for name, label in DRIFTS.items() if name in history}
+    draw_lines(axes, history, drifts, first=1, floor=1e-17)
+    axes.set_yscale("log")
+    axes.set_ylabel("relative drift since the start")
+
+
+def draw_energies(axes, history):
+    draw_lines(axes, history, ENERGIES)
+    axes.set_ylabel("energy")
+
+
+def draw_errors(axes, history):
+    draw_lines(axes, history, {"l1_" + name: symbol for name, symbol in SYMBOLS.items() if "l1_" + name in history})
+    axes.set_ylabel(r"$L_1$ error")
+
+
+def draw_measure(axes, history, name):
+    draw_lines(axes, history, {name: name})
+    axes.set_ylabel(MEASURES.get(name, name.replace("_", " ")))
+    if name in GROWING and (history[name] > 0).all():
+        axes.set_yscale("log")
 
 
 def draw_history(history, title, path):
-    errors = {"l1_" + name: symbol for name, symbol in SYMBOLS.items() if "l1_" + name in history}
-    panels = 3 if errors else 2
-    figure, axes = plt.subplots(1, panels, figsize=(5.6 * panels, 5.0), constrained_layout=True)
-    drifts = {name: label for name, label in DRIFTS.items() if name in history}
-    draw_lines(axes[0], history, drifts, first=1, floor=1e-17)
-    axes[0].set_yscale("log")
-    axes[0].set_ylabel("relative drift since the start")
-    draw_lines(axes[1], history, ENERGIES)
-    axes[1].set_ylabel("energy")
-    if errors:
-        draw_lines(axes[2], history, errors)
-        axes[2].set_ylabel(r"$L_1$ error")
-    figure.get_layout_engine().set(w_pad=0.12)
+    panels = [draw_drifts, draw_energies]
+    if any("l1_" + name in history for name in SYMBOLS):
+        panels.append(draw_errors)
+    panels += [lambda axes, history, name=name: draw_measure(axes, history, name) for name in measures_of(history)]
+    columns = min(len(panels), 3)
+    rows = -(-len(panels) // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(5.6 * columns, 4.6 * rows + 0.4), squeeze=False,
+                                constrained_layout=True)
+    for axes, draw in zip(grid.flat, panels):
+        draw(axes, history)
+    for axes in list(grid.flat)[len(panels):]:
+        axes.axis("off")
+    figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12)
     figure.suptitle(title, fontsize=15)
     save(figure, path)

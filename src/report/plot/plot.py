@@ -26,8 +26,8 @@ from snapshot import Snapshot
 
 
 def has_map(item):
-    """Does a slice show more than the profile? Always in 2D, and around a centre in 3D."""
-    return item["dimension"] == 2 or (item["dimension"] == 3 and item["abscissa"] != "x")
+    """Does a slice show more than the profile? Always in 2D; in 3D around a centre and where the scene says so."""
+    return item["dimension"] == 2 or (item["dimension"] == 3 and (item["map"] or item["abscissa"] in ("R", "r")))
 
 
 def main():

@@ -1,7 +1,7 @@
 """Particles as light points, their means in bins, and the exact solution, one panel a field."""
 
 import numpy as np
-from style import EXACT, LABELS, MEAN, PARTICLES, number, plt, save
+from style import EXACT, LABELS, MEAN, PARTICLES, VELOCITIES, number, plt, save
 
 MOST_POINTS = 20000
 BINS = 50
@@ -17,7 +17,7 @@ def bin_means(s, y, low, high):
 
 
 def field_label(item, name):
-    return LABELS["v_" + item["abscissa"]] if name == "v" else LABELS.get(name, name)
+    return VELOCITIES[item["abscissa"]] if name == "v" else LABELS.get(name, name)
 
 
 def limits(values):

@@ -27,17 +27,17 @@ class Snapshot:
         return d
 
     def abscissa(self):
-        """x, the distance from the centre's z axis (R) or from the centre (r) of every particle."""
-        if self.item["abscissa"] == "x":
-            return self.x[:, 0]
+        """x, y, the distance from the centre's z axis (R) or from the centre (r) of every particle."""
+        if self.item["abscissa"] in ("x", "y"):
+            return self.x[:, "xy".index(self.item["abscissa"])]
         d = self.offset()
         return np.sqrt((d[:, :2] ** 2).sum(1) if self.item["abscissa"] == "R" else (d**2).sum(1))
 
     def value(self, name):
-        """A field by its short name; v is v_x along x, azimuthal along R and radial along r."""
+        """A field by its short name; v is v_x along x and y, azimuthal along R and radial along r."""
         if name in self.fields:
             return self.fields[name]
-        if self.item["abscissa"] == "x":
+        if self.item["abscissa"] in ("x", "y"):
             return self.velocity[:, 0]
         d, v = self.offset(), self.velocity
         if self.item["abscissa"] == "R":

@@ -33,12 +33,18 @@ LABELS = {
     "P": r"pressure $P$",
     "u": r"specific thermal energy $u$",
     "A": r"entropy function $A$",
-    "v_x": r"velocity $v_x$",
-    "v_R": r"azimuthal velocity $v_\varphi$",
-    "v_r": r"radial velocity $v_r$",
     "x": r"$x$",
+    "y": r"$y$",
     "R": r"cylindrical radius $R$",
     "r": r"radius $r$",
+}
+
+# Axis label of the velocity that is shown along each abscissa.
+VELOCITIES = {
+    "x": r"velocity $v_x$",
+    "y": r"velocity $v_x$",
+    "R": r"azimuthal velocity $v_\varphi$",
+    "r": r"radial velocity $v_r$",
 }
 
 

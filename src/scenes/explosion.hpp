@@ -1,0 +1,28 @@
+#pragma once
+
+#include "src/scenes/scene.hpp"
+
+namespace sphk {
+
+/// A point explosion of energy scene.energy in even, cold gas of density 1 that fills the unit box around the origin:
+/// what its scenes share. They differ in the gas at rest and in who gets the energy.
+class Explosion : public Scene {
+ public:
+  void declare(Settings& settings) const override;
+  void adapt(Settings& settings) const override;
+  ParticleSet build(const Settings& settings) const override;
+  /// Sedov's self-similar solution.
+  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override;
+  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override;
+  /// peak_density: (gamma+1)/(gamma-1) when resolved, 4 for gamma 5/3.
+  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override;
+  PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.5}; }
+
+ protected:
+  /// Pressure of the gas at rest.
+  virtual double ambient_pressure(const Settings& settings) const = 0;
+  /// Adds scene.energy to the gas at rest.
+  virtual void explode(ParticleSet& gas, const Settings& settings) const = 0;
+};
+
+}  // namespace sphk

@@ -1,0 +1,111 @@
+#include "src/scenes/shear_layers.hpp"
+
+#include <cmath>
+
+#include "src/scenes/keys.hpp"
+#include "src/scenes/mass_profile.hpp"
+#include "src/scenes/temperatures.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// n x n particles of the light gas's spacing, times scene.layers in 3D.
+Block even_block(const Settings& settings, double lower) {
+  const int n = scene_n(settings);
+  Block block{.dimension = scene_dimension(settings), .counts = {n, n, 1}, .lower = {lower, lower, 0}};
+  if (block.dimension == 2) return block;
+  block.counts[2] = static_cast<int>(settings.integer("scene.layers"));
+  block.size[2] = double(block.counts[2]) / n;
+  block.lower[2] = -block.size[2] / 2;
+  return block;
+}
+
+std::string arrangement(const Settings& settings) {
+  return settings.has("scene.lattice") ? settings.text("scene.lattice") : "cubic";
+}
+
+void place_equal_masses(ParticleSet& gas, const std::vector<Block>& blocks, const LayeredFlow& flow,
+                        const Settings& settings) {
+  const MassProfile profile(flow.rho, flow.lower, 1);
+  for (const Block& block : blocks)
+    for (Array3 x : arranged_points(block, arrangement(settings))) {
+      x[1] = profile.place(x[1]);
+      gas.x.push_back(x);
+    }
+  gas.m.assign(gas.size(), profile.mass() * gas.box.size[2] / double(gas.size()));
+}
+
+void place_even(ParticleSet& gas, const Block& even, const LayeredFlow& flow, const Settings& settings) {
+  gas.x = arranged_points(even, arrangement(settings));
+  for (const Array3& x : gas.x) gas.m.push_back(flow.rho(x[1]) * even.size[2] / double(gas.size()));
+}
+
+}  // namespace
+
+void ShearLayers::declare(Settings& settings) const {
+  const Defaults standard = defaults();
+  declare_resolution(settings, standard.n, "particles of the light gas along the unit box");
+  declare_dimension(settings, standard.dimension, 2);
+  settings.declare({.name = "scene.layers",
+                    .value = std::int64_t{8},
+                    .doc = "layers of the light gas across the slab, 3D only (R10 has 8 at n = 256)",
+                    .choices = {},
+                    .min = 1,
+                    .max = 100000});
+  declare_masses(settings, "equal");
+  declare_temperatures(settings);
+  settings.declare(
+      {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
+  prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
+  prefer_usual_gas(settings, standard.end);
+  adapt(settings);
+}
+
+void ShearLayers::adapt(Settings& settings) const {
+  prefer_unless_set(settings, "sph.neighbours", usual_neighbours(scene_dimension(settings)));
+}
+
+ParticleSet ShearLayers::build(const Settings& settings) const {
+  const LayeredFlow flow = this->flow(settings);
+  const Block even = even_block(settings, flow.lower);
+  ParticleSet gas;
+  gas.dimension = even.dimension;
+  gas.box = {even.lower, even.size, {true, true, even.dimension == 3}};
+  if (has_equal_masses(settings))
+    place_equal_masses(gas, equal_mass_blocks(even), flow, settings);
+  else
+    place_even(gas, even, flow, settings);
+  const double gamma = settings.real("sph.gamma"), boost = settings.real("scene.boost");
+  for (const auto& [x, y, z] : gas.x) {
+    gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
+    gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
+    gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
+  }
+  smooth_temperatures(gas, flow.pressure, settings);
+  return gas;
+}
+
+std::vector<std::pair<std::string, double>> ShearLayers::measures(const Settings& settings,
+                                                                  const Snapshot& snapshot) const {
+  const LayeredFlow flow = this->flow(settings);
+  const double gamma = settings.real("sph.gamma");
+  return layer_measures(snapshot, {.interfaces = flow.interfaces,
+                                   .wavelength = flow.wavelength,
+                                   .rows = scene_n(settings),
+                                   .A_light = flow.pressure / std::pow(flow.rho_light, gamma),
+                                   .A_dense = flow.pressure / std::pow(flow.rho_dense, gamma)});
+}
+
+PlotHint ShearLayers::plot_hint(const Settings& settings) const {
+  const double lower = flow(settings).lower;
+  return {.abscissa = "y", .from = lower, .to = lower + 1, .map = true};
+}
+
+std::vector<Block> ShearLayers::equal_mass_blocks(const Block& even) const {
+  Block rows = even;
+  rows.lower[1] = 0;
+  return {rows};
+}
+
+}  // namespace sphk

@@ -1,0 +1,22 @@
+#include "src/scenes/temperatures.hpp"
+
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+void declare_temperatures(Settings& settings) {
+  settings.declare(
+      {.name = "scene.temperatures",
+       .value = std::string("exact"),
+       .doc = "exact: u of the true density; smoothed: of the measured one, which evens out P at the edges",
+       .choices = {"exact", "smoothed"}});
+}
+
+void smooth_temperatures(ParticleSet& gas, double P, const Settings& settings) {
+  if (settings.text("scene.temperatures") != "smoothed") return;
+  const SimulationSettings simulation = simulation_settings(settings);
+  const std::vector<double> rho = make_simulation(gas, simulation)->snapshot().field("Densities").values;
+  for (std::size_t i = 0; i < gas.size(); ++i) gas.u[i] = P / ((simulation.gamma - 1) * rho[i]);
+}
+
+}  // namespace sphk
