@@ -22,7 +22,7 @@ void whole_step(benchmark::State& state, const char* scheme, const char* kernel,
       double(gas.size()) * double(state.iterations()) / Kokkos::DefaultExecutionSpace().concurrency();
   for (std::size_t k = 0; k < after.phases.size(); ++k)
     state.counters["us: " + after.phases[k].first] = 1e6 * (after.phases[k].second - before.phases[k].second) / updates;
-  report(state, double(gas.size()), run->last_step().mean_neighbours, describe(settings, 3).flops_per_pair,
+  report(state, double(gas.size()), run->last_step().mean_neighbours, describe(settings, gas).flops_per_pair,
          settings.precision == "mixed");
 }
 

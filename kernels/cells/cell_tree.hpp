@@ -111,10 +111,11 @@ Bounds<D> bounds_of_all(const CellTree<D>& tree) {
 }
 
 /// Calls `visit(sub_cell, shift)` for every sub-cell, in every periodic image, whose box comes nearer to `target` than
-/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side.
-template <int D, class Reach, class Visit>
+/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side. Leaves out
+/// what is below a node for which `skip(level, k)` holds.
+template <int D, class Reach, class Visit, class Skip>
 KOKKOS_INLINE_FUNCTION void walk_image(const CellTree<D>& tree, const Bounds<D>& target, const double* shift,
-                                       const Reach& reach, Visit&& visit) {
+                                       const Reach& reach, Visit&& visit, const Skip& skip) {
   struct Range {
     int next, end;
   };
@@ -129,7 +130,7 @@ KOKKOS_INLINE_FUNCTION void walk_image(const CellTree<D>& tree, const Bounds<D>&
     const int k = stack[level].next++;
     const Bounds<D>& node = tree.node(level, k);
     const double distance = reach(node.h_max);
-    if (target.distance2(node, shift) >= distance * distance) continue;
+    if (target.distance2(node, shift) >= distance * distance || skip(level, k)) continue;
     if (level == 0) {
       visit(k, shift);
     } else {
@@ -151,10 +152,14 @@ KOKKOS_INLINE_FUNCTION void image_range(const CellTree<D>& tree, const Bounds<D>
   to = static_cast<int>(Kokkos::floor((target.hi[d] + distance - all.lo[d]) / period));
 }
 
+struct SkipNothing {
+  KOKKOS_INLINE_FUNCTION bool operator()(int, int) const { return false; }
+};
+
 /// walk_image over every periodic image that can matter, also for supports wider than the box.
-template <int D, class Reach, class Visit>
+template <int D, class Reach, class Visit, class Skip = SkipNothing>
 KOKKOS_INLINE_FUNCTION void walk(const CellTree<D>& tree, const Bounds<D>& all, const Bounds<D>& target,
-                                 const Reach& reach, Visit&& visit) {
+                                 const Reach& reach, Visit&& visit, const Skip& skip = {}) {
   int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
   for (int d = 0; d < D; ++d) image_range(tree, all, target, d, reach(all.h_max), from[d], to[d]);
   for (int a = from[0]; a <= to[0]; ++a)
@@ -163,7 +168,7 @@ KOKKOS_INLINE_FUNCTION void walk(const CellTree<D>& tree, const Bounds<D>& all, 
         const int image[3] = {a, b, c};
         double shift[D];
         for (int d = 0; d < D; ++d) shift[d] = image[d] * tree.domain.period[d];
-        walk_image(tree, target, shift, reach, visit);
+        walk_image(tree, target, shift, reach, visit, skip);
       }
 }
 

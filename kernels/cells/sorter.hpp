@@ -117,6 +117,14 @@ class Sorter {
   Sorter() = default;
   explicit Sorter(int n) : sort_(n), other_("columns, other", n), other_ids_("ids, other", n) {}
 
+  /// Puts `from` in the order of the last sort, by way of `other`.
+  template <class V>
+  void permute(V& from, V& other) const {
+    Kokkos::parallel_for("sort: permute", Kokkos::RangePolicy<ExecutionSpace>(0, from.extent(0)),
+                         detail::PermuteVector<V>{from, other, sort_.indices});
+    std::swap(from, other);
+  }
+
   void operator()(C& columns, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
     const int n = static_cast<int>(ids.extent(0));
     if (n == 0) return;
@@ -135,9 +143,8 @@ class Sorter {
                          detail::OrderBlock<D, C>{columns, sort_.indices, n});
     Kokkos::parallel_for("sort: permute", particles,
                          detail::PermuteRows{columns.data, other_.data, C::size, columns.stride, sort_.indices});
-    Kokkos::parallel_for("sort: permute ids", particles, detail::PermuteVector<Ids>{ids, other_ids_, sort_.indices});
     std::swap(columns.data, other_.data);
-    std::swap(ids, other_ids_);
+    permute(ids, other_ids_);
   }
 
  private:

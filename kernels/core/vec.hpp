@@ -35,6 +35,11 @@ KOKKOS_FORCEINLINE_FUNCTION T dot(const Vec<T, D>& a, const Vec<T, D>& b) {
   return sum;
 }
 
+template <class T, int D>
+KOKKOS_FORCEINLINE_FUNCTION T length(const Vec<T, D>& a) {
+  return sphk::sqrt(dot(a, a));
+}
+
 /// Components of a curl: 3 in 3D, the z component in 2D, none (kept as one zero) in 1D.
 template <int D>
 inline constexpr int curl_size = D == 3 ? 3 : 1;

@@ -8,10 +8,9 @@ namespace detail {
 template <class L>
 struct DampVelocity {
   Particles<L> state;
-  double dt;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     const double rate = state.template at<SoundSpeed>(i) / state.template at<Support>(i);
-    const double factor = Kokkos::exp(-rate * dt);
+    const double factor = Kokkos::exp(-rate * state.clock.dt);
     for (int d = 0; d < L::dimension; ++d) state.template at<Velocity>(i, d) *= factor;
   }
 };
@@ -24,7 +23,7 @@ struct Damping {
   template <class S>
   static void run(Run<S>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::DampVelocity<typename S::Layout>{run.state, run.dt});
+                         detail::DampVelocity<typename S::Layout>{run.state});
   }
 };
 

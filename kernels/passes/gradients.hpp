@@ -6,17 +6,6 @@
 
 namespace sphk {
 
-/// Particles whose neighbours did not allow a second-order fit.
-struct FitCounts {
-  long linear = 0;  ///< fitted to first order
-  long sph = 0;     ///< standard SPH estimate
-  KOKKOS_INLINE_FUNCTION FitCounts& operator+=(const FitCounts& b) {
-    linear += b.linear;
-    sph += b.sph;
-    return *this;
-  }
-};
-
 namespace detail {
 
 template <class S>
@@ -240,15 +229,9 @@ struct Gradients {
   using Keeps = Writes;
   template <class S>
   static void run(Run<S>& run) {
-    FitCounts counts;
-    run_pairs(name, detail::FitVelocity<S>(run.state), Kokkos::Sum<FitCounts>(counts));
-    run.fits = counts;
+    run.fits = {};
+    run_pairs(name, detail::FitVelocity<S>(run.state), Kokkos::Sum<FitCounts>(run.fits));
   }
 };
 
 }  // namespace sphk
-
-template <>
-struct Kokkos::reduction_identity<sphk::FitCounts> {
-  KOKKOS_FORCEINLINE_FUNCTION static sphk::FitCounts sum() { return {}; }
-};

@@ -12,73 +12,117 @@ KOKKOS_INLINE_FUNCTION double positive_sum(double s, double ds) {
   return ds >= -0.5 * s ? s + ds : 0.5 * s * Kokkos::exp(2 * ds / s + 1);
 }
 
+/// exp(x) for |x| up to 0.4, to 1e-4: what a prediction needs.
+KOKKOS_INLINE_FUNCTION double small_exp(double x) {
+  x = min(max(x, -0.4), 0.4);
+  return 1 + x * (1 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
+}
+
 template <class L>
 struct KickAndDrift {
+  static constexpr int D = L::dimension;
+  using Fields = typename L::Fields;
   Particles<L> state;
-  double dt;
+
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = L::dimension;
+    const double dt = state.clock.dt;
+    if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i));
     for (int d = 0; d < D; ++d) {
-      const double half_kick = 0.5 * dt * state.template at<Acceleration>(i, d);
-      const double v_half = state.template at<Velocity>(i, d) + half_kick;
-      state.template at<HalfStepVelocity>(i, d) = v_half;
-      state.template at<Velocity>(i, d) = v_half + half_kick;
-      state.template at<Position>(i, d) += v_half * dt;
+      state.template at<Position>(i, d) += dt * state.template at<HalfStepVelocity>(i, d);
+      state.template at<Velocity>(i, d) += dt * state.template at<Acceleration>(i, d);
     }
-    const double half_kick = 0.5 * dt * state.template at<ThermalRate>(i);
-    const double s_half = positive_sum(state.template at<Thermal>(i), half_kick);
-    state.template at<HalfStepThermal>(i) = s_half;
-    state.template at<Thermal>(i) = positive_sum(s_half, half_kick);
-    if constexpr (contains<VelocityDivergence, typename L::Fields>) {
+    double& s = state.template at<Thermal>(i);
+    const double s_before = s;
+    s = positive_sum(s, dt * state.template at<ThermalRate>(i));
+    if constexpr (contains<MassRate, Fields>) {
+      double& m = state.template at<Mass>(i);
+      m = positive_sum(m, dt * state.template at<MassRate>(i));
+    }
+    if constexpr (contains<VelocityDivergence, Fields>) {
+      const double expansion = dt * state.template at<VelocityDivergence>(i);
       double& h = state.template at<Support>(i);
       const double slope = h * state.template at<NumberDensitySlope>(i) / state.template at<NumberDensity>(i);
       // D + slope = 0 where the support holds coincident particles alone.
-      const double growth = dt * state.template at<VelocityDivergence>(i) / max(D + slope, 0.1);
-      h *= Kokkos::exp(min(max(growth, -0.2), 0.2));
+      h *= small_exp(min(max(expansion / max(D + slope, 0.1), -0.2), 0.2));
+      if (state.clock.individual) predict(i, expansion, s_before > 0 ? s / s_before : 1);
     }
+  }
+
+ private:
+  /// Opening kick over half a step.
+  KOKKOS_INLINE_FUNCTION void open(int i, double half) const {
+    for (int d = 0; d < D; ++d)
+      state.template at<HalfStepVelocity>(i, d) =
+          state.template at<Velocity>(i, d) + half * state.template at<Acceleration>(i, d);
+    state.template at<HalfStepThermal>(i) =
+        positive_sum(state.template at<Thermal>(i), half * state.template at<ThermalRate>(i));
+    if constexpr (contains<MassRate, Fields>)
+      state.template at<HalfStepMass>(i) =
+          positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i));
+  }
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void scale(int i, double factor) const {
+    if constexpr (contains<F, Fields>) state.template at<F>(i) *= factor;
+  }
+  /// What pairs read of particles that are not computed at the end of this step: their gas expands, and heats.
+  KOKKOS_INLINE_FUNCTION void predict(int i, double expansion, double heated) const {
+    const double thinner = small_exp(-expansion);  // rho' / rho
+    const double P = L::ThermalForm::pressure_growth(-expansion, thinner, state.parameters.gamma) * heated;
+    scale<Density>(i, thinner);
+    scale<InverseDensity>(i, 1 / thinner);
+    scale<Pressure>(i, P);
+    scale<PressureOverDensity2>(i, P / (thinner * thinner));
+    scale<SoundSpeed>(i, Kokkos::sqrt(P / thinner));
+    if constexpr (contains<InverseSupport, Fields>)
+      state.template at<InverseSupport>(i) = 1 / state.template at<Support>(i);
   }
 };
 
 template <class L>
 struct ClosingKick {
+  static constexpr int D = L::dimension;
+  using Fields = typename L::Fields;
   Particles<L> state;
-  double dt;
+
   KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
-    constexpr int D = L::dimension;
+    if (!state.active.contains(i)) return;
+    const double half = 0.5 * state.clock.step_of(i);
     double sum = 0;  // not finite where anything of the particle is not
     for (int d = 0; d < D; ++d) {
       double& v = state.template at<Velocity>(i, d);
-      v = state.template at<HalfStepVelocity>(i, d) + 0.5 * dt * state.template at<Acceleration>(i, d);
+      v = state.template at<HalfStepVelocity>(i, d) + half * state.template at<Acceleration>(i, d);
       sum += v;
     }
-    if constexpr (contains<Heating, typename L::Fields>) {
+    if constexpr (contains<Heating, Fields>) {
       const double ds =
           L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i), state.parameters.gamma);
       state.template at<ThermalRate>(i) = ds;
-      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), 0.5 * dt * ds);
+      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * ds);
     }
-    const double asked =
-        state.parameters.courant * state.template at<Support>(i) / state.template at<MaxSignalVelocity>(i);
+    if constexpr (contains<MassRate, Fields>)
+      state.template at<Mass>(i) =
+          positive_sum(state.template at<HalfStepMass>(i), half * state.template at<MassRate>(i));
     sum += state.template at<Thermal>(i);
+    const double asked = state.step_asked(i);
     limit += {asked > 0 && Kokkos::isfinite(sum) ? asked : 0, i};
   }
 };
 
 }  // namespace detail
 
-/// Opening kick over half a step, drift over a whole one, velocities and thermal variable predicted to its end; the
-/// support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
+/// Opening kick over half a step of the particles whose step begins, drift of all, everything predicted to the drift's
+/// end; the support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
   template <class S>
   static void run(Run<S>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::KickAndDrift<typename S::Layout>{run.state, run.dt});
+                         detail::KickAndDrift<typename S::Layout>{run.state});
   }
 };
 
-/// Closing half kick, and the next time-step dt = min C h_i / v_max,i (S12 eq 43).
+/// Closing half kick of the active particles, and the time-steps that they ask for.
 struct KickTimeStep {
   static constexpr const char* name = "kick and time-step";
   using Writes = List<ThermalRate>;
@@ -87,8 +131,7 @@ struct KickTimeStep {
     run.limit = {};
     if (run.state.n == 0) return;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<typename S::Layout>{run.state, run.dt},
-                            Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<typename S::Layout>{run.state}, Kokkos::Sum<StepLimit>(run.limit));
   }
 };
 

@@ -6,9 +6,21 @@ namespace sphk {
 
 namespace detail {
 
-template <class S, class Terms, class Out>
-struct PairRates : PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads>, Reach::symmetric> {
-  using Base = PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads>, Reach::symmetric>;
+template <Reach mode>
+using SupportOfBoth = std::conditional_t<mode == Reach::symmetric, List<InverseSupport>, List<>>;
+
+template <Reach mode, class P, int D>
+KOKKOS_FORCEINLINE_FUNCTION auto pair_of(const auto& smoothing, const auto& i, const auto& j) {
+  if constexpr (mode == Reach::symmetric)
+    return symmetric_pair<P, D>(smoothing, i, j);
+  else
+    return gather_pair<P, D>(smoothing, i, j);
+}
+
+/// The sums of Terms over the pairs of every active particle, one store a particle.
+template <Reach mode, class S, class Terms, class Out>
+struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>, mode> {
+  using Base = PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>, mode>;
   using Base::D;
   using Base::state;
   using typename Base::Cell;
@@ -20,7 +32,7 @@ struct PairRates : PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads
   Terms terms;
   Out out;  ///< where the sums are stored
 
-  PairRates(const State<S>& of, const Terms& t, const Out& o) : Base{of}, terms(t), out(o) {}
+  PairSums(const State<S>& of, const Terms& t, const Out& o) : Base{of}, terms(t), out(o) {}
 
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
@@ -31,7 +43,7 @@ struct PairRates : PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads
     walk.for_each(i, state.template at<Support>(i), [&](const auto& j) {
       Values<T, D, Adds> pair_sums;
       set_zero(pair_sums);
-      terms(pair_sums, values, j, symmetric_pair<T, D>(state.smoothing, values, j));
+      terms(pair_sums, values, j, pair_of<mode, T, D>(state.smoothing, values, j));
       accumulate(sums, pair_sums);
     });
     out.store(i, sums);
@@ -63,7 +75,7 @@ struct PairRates : PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads
     set_zero(packs);
     for (int k = 0; k < neighbours.count; k += Cell::width) {
       const auto j = neighbours.template load<Pack>(k);
-      terms(packs, values, j, symmetric_pair<Pack, D>(state.smoothing, values, j));
+      terms(packs, values, j, pair_of<mode, Pack, D>(state.smoothing, values, j));
     }
     accumulate(sums, packs);
   }
@@ -71,11 +83,11 @@ struct PairRates : PairLoop<S, Union<List<InverseSupport>, typename Terms::Reads
 
 }  // namespace detail
 
-/// The sums of all terms over symmetric pairs, r < max(h_i, h_j), stored in the columns `out`, which hold what the
-/// terms add. The tree must be fitted to the present positions and supports.
-template <class Terms, class S, class Out>
-void add_pair_rates(const State<S>& state, const Terms& terms, const Out& out) {
-  run_pairs("rates", detail::PairRates<S, Terms, Out>(state, terms, out));
+/// The sums of all terms, stored in the columns `out`, which hold what the terms add: over pairs with r < max(h_i, h_j),
+/// or with r < h_i for Reach::gather. The tree must be fitted to the present positions and supports.
+template <Reach mode = Reach::symmetric, class Terms, class S, class Out>
+void add_pair_sums(const char* name, const State<S>& state, const Terms& terms, const Out& out) {
+  run_pairs(name, detail::PairSums<mode, S, Terms, Out>(state, terms, out));
 }
 
 }  // namespace sphk

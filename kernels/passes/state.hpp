@@ -3,6 +3,7 @@
 #include "kernels/cells/cell_tree.hpp"
 #include "kernels/cells/sorter.hpp"
 #include "kernels/cells/tile.hpp"
+#include "kernels/passes/clock.hpp"
 #include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/term_set.hpp"
 
@@ -52,10 +53,15 @@ struct Particles {
   CellTree<L::dimension> tree;
   Parameters parameters;
   ActiveSet active{};
+  StepClock clock{};
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {
     return columns.template at<F>(i, component);
+  }
+  /// dt = C h_i / v_max,i (S12 eq 43).
+  KOKKOS_INLINE_FUNCTION double step_asked(int i) const {
+    return parameters.courant * at<Support>(i) / at<MaxSignalVelocity>(i);
   }
 };
 

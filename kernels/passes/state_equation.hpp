@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/passes/kick_drift.hpp"
 #include "kernels/passes/run.hpp"
 
 namespace sphk {
@@ -19,6 +20,10 @@ struct EntropyForm {
   KOKKOS_INLINE_FUNCTION static double from_energy(double u, double rho, double gamma) {
     return (gamma - 1) * u * Kokkos::pow(rho, 1 - gamma);
   }
+  /// P'/P at constant A where rho'/rho = exp(compression) = `denser`.
+  KOKKOS_INLINE_FUNCTION static double pressure_growth(double compression, double, double gamma) {
+    return detail::small_exp(gamma * compression);
+  }
 };
 
 /// The scheme integrates the specific energy u, P = (gamma-1) rho u.
@@ -30,9 +35,16 @@ struct EnergyForm {
     return (gamma - 1) * Kokkos::pow(rho, 1 - gamma) * (du - work);
   }
   KOKKOS_INLINE_FUNCTION static double from_energy(double u, double, double) { return u; }
+  KOKKOS_INLINE_FUNCTION static double pressure_growth(double, double denser, double) { return denser; }
 };
 
 namespace detail {
+
+/// |div v| / (|div v| + |curl v| + 1e-4 c/h) (S12 eq 32).
+KOKKOS_INLINE_FUNCTION double balsara_factor(double div_v, double curl_v, double c, double h) {
+  const double div = abs(div_v), sum = div + curl_v + 1e-4 * c / h;
+  return sum > 0 ? div / sum : 1;
+}
 
 template <class L>
 struct EvaluateState {
@@ -44,7 +56,7 @@ struct EvaluateState {
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = L::dimension;
+    if (!state.active.contains(i)) return;
     using Fields = typename L::Fields;
     const double rho = state.template at<Density>(i), h = state.template at<Support>(i);
     const double gamma = state.parameters.gamma;
@@ -54,35 +66,47 @@ struct EvaluateState {
     set<PressureOverDensity2>(i, P / (rho * rho));
     set<InverseDensity>(i, 1 / rho);
     set<SoundSpeed>(i, c);
-    if constexpr (contains<GradHMass, Fields>) {
-      const double h_Dn = h / (D * state.template at<NumberDensity>(i));
-      const double Omega = 1 + h_Dn * state.template at<NumberDensitySlope>(i);
-      // Omega vanishes where the support holds coincident particles alone: h is free there, and has no gradient.
-      set<GradHMass>(i, Omega > 1e-8 ? -h_Dn * state.template at<DensitySlope>(i) / Omega : 0);
-    }
     if constexpr (contains<Balsara, Fields>) {
-      double curl2 = 0;
-      for (int d = 0; d < curl_size<D>; ++d) {
-        const double component = state.template at<VelocityCurl>(i, d);
-        curl2 += component * component;
-      }
-      const double div = abs(state.template at<VelocityDivergence>(i));
-      const double sum = div + Kokkos::sqrt(curl2) + 1e-4 * c / h;
-      set<Balsara>(i, sum > 0 ? div / sum : 1);
+      const auto curl = state.columns.template load<List<VelocityCurl>>(i).curl_v;
+      set<Balsara>(i, balsara_factor(state.template at<VelocityDivergence>(i), length(curl), c, h));
     }
+  }
+};
+
+template <class L>
+struct EvaluateGradH {
+  Particles<L> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    if (!state.active.contains(i)) return;
+    const double h_Dn = state.template at<Support>(i) / (L::dimension * state.template at<NumberDensity>(i));
+    const double Omega = 1 + h_Dn * state.template at<NumberDensitySlope>(i);
+    // Omega vanishes where the support holds coincident particles alone: h is free there, and has no gradient.
+    state.template at<GradHMass>(i) = Omega > 1e-8 ? -h_Dn * state.template at<DensitySlope>(i) / Omega : 0;
   }
 };
 
 }  // namespace detail
 
-/// Pressure, sound speed, Balsara's factor (S12 eq 32), z of grad-h: what the terms read beside the density.
+/// Pressure, sound speed, Balsara's factor (S12 eq 32): what the terms read beside the density.
 struct StateEquation {
   static constexpr const char* name = "equation of state";
-  using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, GradHMass, Balsara>;
+  using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, Balsara>;
   template <class S>
   static void run(Run<S>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
                          detail::EvaluateState<typename S::Layout>{run.state});
+  }
+};
+
+/// z of the conservative momentum equation, from dn/dh and drho/dh.
+struct GradH {
+  static constexpr const char* name = "grad-h";
+  using Writes = List<GradHMass>;
+  using Keeps = List<GradHMass, DensitySlope>;
+  template <class S>
+  static void run(Run<S>& run) {
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                         detail::EvaluateGradH<typename S::Layout>{run.state});
   }
 };
 

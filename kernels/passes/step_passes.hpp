@@ -1,12 +1,16 @@
 #pragma once
 
+#include "kernels/passes/convergence_switch.hpp"
+#include "kernels/passes/gradients.hpp"
+#include "kernels/passes/mass_exchange.hpp"
 #include "kernels/passes/rates.hpp"
 #include "kernels/passes/run.hpp"
+#include "kernels/passes/schedule.hpp"
 
 namespace sphk {
 
-/// Boxes of the cells; every ten steps, and when a particle strays half a period out of a periodic box, the particles
-/// are sorted in space again and wrapped.
+/// Boxes of the cells; every ten steps (or as many updates), and when a particle strays half a period out of a periodic
+/// box, the particles are sorted in space again and wrapped.
 struct SortedCells {
   static constexpr const char* name = "cells";
   static constexpr int sort_interval = 10;
@@ -16,8 +20,17 @@ struct SortedCells {
     auto& state = run.state;
     fit(state.tree, state.columns);
     const auto all = bounds_of_all(state.tree);
-    if (run.step % sort_interval != 0 && !strayed(state.tree.domain, all)) return;
+    auto& schedule = run.schedule;
+    auto& clock = state.clock;
+    const bool due = clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n)
+                                      : run.step % sort_interval == 0;
+    if (!due && !strayed(state.tree.domain, all)) return;
     run.sorter(state.columns, state.ids, state.tree.domain, all);
+    if (clock.individual) {
+      run.sorter.permute(clock.begin, schedule.other);
+      run.sorter.permute(clock.end, schedule.other);
+      schedule.updates_since_sort = 0;
+    }
     fit(state.tree, state.columns);
   }
 
@@ -49,7 +62,7 @@ struct Rates {
   using Writes = List<>;
   template <class S>
   static void run(Run<S>& run) {
-    add_pair_rates(run.state, typename S::RateTerms(run.state.parameters), run.state.columns);
+    add_pair_sums(name, run.state, typename S::RateTerms(run.state.parameters), run.state.columns);
   }
 };
 

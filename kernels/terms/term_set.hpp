@@ -22,6 +22,7 @@ struct Parameters {
   double alpha_mass = 1;       ///< S12's alpha_m
   double alpha_min = 0.2;      ///< what the switch decays to (S12 eq 23)
   double noise = 0.05;         ///< n_s of S12 eq 21
+  double alpha_given = -1;     ///< of every particle; negative: the switch decides
   bool balsara_limits_all = true;  ///< Balsara's factor multiplies every dissipation, not the viscosity alone
   MassCorrection mass_correction = MassCorrection::donor;
   double h_max = 0;            ///< cap of the support radius

@@ -77,7 +77,7 @@ void add_run(CLI::App& root, Options& o) {
   add_physics(app, o);
   shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
   shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
-  shortcut(app, o, "--steps", "time.steps", "N", "stop after so many steps (key time.steps)");
+  shortcut(app, o, "--steps", "time.max_steps", "N", "stop after so many steps (key time.max_steps)");
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
   app.add_flag("--overwrite", o.run.overwrite, "replace the run that the folder of --out holds");

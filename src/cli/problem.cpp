@@ -74,7 +74,7 @@ std::vector<std::string> apply_overrides(Settings& settings, const std::vector<O
 
 void declare_run_keys(Settings& settings) {
   settings.declare({.name = "time.end", .value = 1.0, .doc = "end time, code units", .choices = {}});
-  settings.declare({.name = "time.steps",
+  settings.declare({.name = "time.max_steps",
                     .value = std::int64_t{0},
                     .doc = "stop after so many steps; 0: no limit",
                     .choices = {},

@@ -20,7 +20,7 @@ namespace {
 
 RunLoop::Plan make_plan(const Settings& settings, double begin) {
   const RunLoop::Plan plan{.end = settings.real("time.end"),
-                           .steps = settings.integer("time.steps"),
+                           .steps = settings.integer("time.max_steps"),
                            .snapshots = settings.integer("output.snapshots")};
   if (!(plan.end > begin))
     throw InputError(fmt::format("time.end = {} is not after the start at t = {}: give the end time with --t-end T",
@@ -31,7 +31,7 @@ RunLoop::Plan make_plan(const Settings& settings, double begin) {
 /// What is known before the first step.
 RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   const SimulationSettings s = simulation_settings(problem.settings);
-  const SchemeDescription description = describe(s, particles.dimension);
+  const SchemeDescription description = describe(s, particles);
   RunRecord record;
   record.scene = problem.scene->name();
   record.scheme = s.scheme;

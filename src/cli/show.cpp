@@ -40,7 +40,7 @@ void print_keys(const Settings& settings) {
 int show_command(const std::string& what, const std::vector<Override>& overrides) {
   const Problem problem = resolve_problem(what, overrides);
   const ParticleSet particles = problem.scene->build(with_lattice(problem.settings));
-  const SchemeDescription d = describe(simulation_settings(problem.settings), particles.dimension);
+  const SchemeDescription d = describe(simulation_settings(problem.settings), particles);
   fmt::print("{}: {}\n\n", problem.scene->name(), problem.scene->summary());
   fmt::print("  {:<12} {} in {}D, box {:g} x {:g} x {:g}\n", "particles", particles.size(), d.dimension,
              particles.box.size[0], particles.box.size[1], particles.box.size[2]);

@@ -42,7 +42,7 @@ struct Counting {
 template <class Terms, class S>
 auto sums_apart(const State<S>& state) {
   Columns<S::dimension, typename Terms::Adds> out("diagnostics", state.n);
-  add_pair_rates(state, Terms(state.parameters), out);
+  add_pair_sums("diagnostics", state, Terms(state.parameters), out);
   return out;
 }
 
@@ -63,7 +63,7 @@ using CountColumns = Columns<D, List<NeighbourCount>>;
 template <class L>
 void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report) {
   const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
-  add_pair_rates(state, TermSet<NeighbourCountSum>(particles.parameters), counts);
+  add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(particles.parameters), counts);
   detail::CountRange range;
   Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),
                           detail::RangeOfCounts<CountColumns<L::dimension>>{counts},

@@ -18,7 +18,7 @@ class Engine final : public Simulation {
  public:
   static constexpr int D = S::dimension;
   using Layout = typename S::Layout;
-  static constexpr int count_interval = 50;  ///< steps between two counts of true neighbours
+  static constexpr int count_interval = 50;  ///< updates of each particle between two counts of true neighbours
 
   Engine(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel)
       : run_{load_run<S>(particles, settings, kernel)},
@@ -36,19 +36,24 @@ class Engine final : public Simulation {
   }
 
   StepReport step(double t_end) override {
-    run_.dt = next_dt(t_end);
+    run_.state.clock.individual ? begin_substep(t_end) : begin_step(t_end);
     note_limiting_particle();
     ++run_.step;
     pass_steps(typename S::Steps{});
-    run_.time = t_end - run_.time <= run_.dt * (1 + 1e-12) ? t_end : run_.time + run_.dt;
+    run_.time = end_of_step_;
     require_finite(run_.limit, run_.time, run_.step);
+    require_tick(run_.limit, run_.state.clock, run_.time, run_.step);
     report_.step = run_.step;
     report_.time = run_.time;
-    report_.dt = run_.dt;
-    report_.updates = run_.state.n;
-    if (run_.step % count_interval == 0) count_neighbours<Layout>(run_.state, counts_, report_);
-    costs_.updates += run_.state.n;
-    costs_.pair_interactions += report_.mean_neighbours * run_.state.n;
+    report_.dt = run_.state.clock.dt;
+    report_.updates = run_.active_count;
+    updates_since_count_ += run_.active_count;
+    if (updates_since_count_ >= count_interval * static_cast<long>(run_.state.n)) {
+      count_neighbours<Layout>(run_.state, counts_, report_);
+      updates_since_count_ = 0;
+    }
+    costs_.updates += run_.active_count;
+    costs_.pair_interactions += report_.mean_neighbours * static_cast<double>(run_.active_count);
     searches_ += run_.searches;
     return report_;
   }
@@ -75,7 +80,7 @@ class Engine final : public Simulation {
 
   std::vector<Field> rates(bool split) override {
     if constexpr (std::is_same_v<typename S::PairNumber, double>) {
-      run_.dt = 0;
+      run_.state.clock.dt = 0;
       run_.accept = 1e-7;
       pass_steps(typename S::Steps{});
       run_.accept = steps_accept_;
@@ -121,6 +126,34 @@ class Engine final : public Simulation {
     }
   }
 
+  void begin_step(double t_end) {
+    StepClock& clock = run_.state.clock;
+    clock.dt = next_dt(t_end);
+    end_of_step_ = t_end - run_.time <= clock.dt * (1 + 1e-12) ? t_end : run_.time + clock.dt;
+  }
+
+  /// Drifts to where the next steps of the hierarchy end. All particles are in step at the end of a block, which is the
+  /// time asked for when the block begins.
+  void begin_substep(double t_end) {
+    StepClock& clock = run_.state.clock;
+    const bool in_step = clock.now == 0 || clock.now == StepClock::block;
+    if (!in_step && t_end != block_end_) wake_all(run_);
+    if (in_step || t_end != block_end_) begin_block(t_end);
+    clock.next = first_end(run_);
+    clock.dt = static_cast<double>(clock.next - clock.now) * clock.tick;
+    end_of_step_ = clock.next == StepClock::block ? block_end_ : block_begin_ + static_cast<double>(clock.next) * clock.tick;
+  }
+
+  void begin_block(double t_end) {
+    StepClock& clock = run_.state.clock;
+    block_begin_ = run_.time;
+    block_end_ = t_end;
+    clock.tick = (block_end_ - block_begin_) / static_cast<double>(StepClock::block);
+    clock.now = clock.next = 0;
+    run_.state.active.everyone = true;
+    assign_steps(run_, 0);
+  }
+
   /// The limit's dt, cut to end at t_end without a sliver of a step after it.
   double next_dt(double t_end) const {
     const double limit = max_dt_ > 0 ? std::min(run_.limit.dt, max_dt_) : run_.limit.dt;
@@ -134,6 +167,8 @@ class Engine final : public Simulation {
   Box origin_;
   Field tags_;  ///< they do not change, and snapshots are sorted by id too
   double steps_accept_, max_dt_;
+  double end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
+  long updates_since_count_ = 0;
   StepReport report_;
   Costs costs_;
   SupportCounts searches_;

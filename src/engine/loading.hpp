@@ -58,11 +58,30 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
     row(Mass{}, 0)[i] = particles.m[i];
     row(Thermal{}, 0)[i] = particles.u[i];
     row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
+    if constexpr (contains<Alpha, typename C::Fields>) row(Alpha{}, 0)[i] = particles.alpha.empty() ? 0 : particles.alpha[i];
     ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
   }
   Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);
   Kokkos::deep_copy(ExecutionSpace(), state.ids, ids);
   ExecutionSpace().fence("load particles");
+}
+
+/// Room for steps of the particles' own; all of them are at the start of a block.
+template <class S>
+void allow_individual_steps(Run<S>& run, const SimulationSettings& settings) {
+  auto& state = run.state;
+  const int n = state.n;
+  state.clock.individual = true;
+  state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
+  state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
+  state.active.masks = Kokkos::View<TargetMask*, MemorySpace>("active particles", state.tree.cells());
+  state.active.cell_numbers = Kokkos::View<int*, MemorySpace>("active cells", state.tree.cells());
+  run.schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
+  run.schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
+  run.schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
+  run.schedule.limiter = settings.step_limiter;
+  if (settings.max_dt > 0) run.schedule.longest = settings.max_dt;
+  Kokkos::deep_copy(ExecutionSpace(), run.schedule.caps, StepClock::block);
 }
 
 }  // namespace detail
@@ -105,6 +124,13 @@ Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings
                               .courant = settings.courant,
                               .alpha = settings.viscosity_alpha,
                               .beta = settings.viscosity_beta,
+                              .alpha_entropy = settings.alpha_entropy,
+                              .alpha_mass = settings.alpha_mass,
+                              .alpha_min = settings.alpha_min,
+                              .noise = settings.switch_noise,
+                              .alpha_given = settings.alpha_given,
+                              .balsara_limits_all = settings.balsara_limits_all,
+                              .mass_correction = settings.mass_correction,
                               .h_max = support_cap(particles, settings)};
   using Columns = typename Particles<typename S::Layout>::Columns;
   Run<S> run{State<S>{{n, Columns("particles", n), Ids("ids", n), CellTree<D>(n, domain), parameters},
@@ -113,6 +139,7 @@ Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings
   run.time = particles.time;
   run.accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
   detail::copy_to_columns<typename S::Layout>(run.state, particles);
+  if (settings.individual_steps) detail::allow_individual_steps(run, settings);
   SortedCells::run(run);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
   Kokkos::parallel_for("guess support", all,

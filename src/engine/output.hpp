@@ -117,6 +117,8 @@ Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double tim
   }));
   if constexpr (contains<VelocityDivergence, typename L::Fields>)
     fields.push_back(host.template field<VelocityDivergence>("VelocityDivergence", "div v", {0, 0, -1}));
+  if constexpr (contains<Alpha, typename L::Fields>)
+    fields.push_back(host.template field<Alpha>("Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {0, 0, 0}));
   if constexpr (contains<Balsara, typename L::Fields>)
     fields.push_back(host.template field<Balsara>("BalsaraFactors", "Balsara factor", {0, 0, 0}));
   return snapshot;
@@ -130,6 +132,16 @@ inline void require_finite(const StepLimit& limit, double time, long step) {
                   "energy or a density is not finite. Look at the last snapshot around that particle; a smaller "
                   "time.courant may help.",
                   step, time, limit.particle));
+}
+
+/// Throws NumericsError where a particle asks for less than the shortest step of the hierarchy.
+inline void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step) {
+  if (!clock.individual || limit.dt >= clock.tick) return;
+  throw NumericsError(
+      fmt::format("step {}, t = {}: particle {} asks for a time-step of {:.3g}, below the shortest one, {:.3g}, which is "
+                  "1e-13 of the time between two snapshots. Look at the last snapshot around that particle; more "
+                  "snapshots (output.snapshots) allow shorter steps.",
+                  step, time, limit.particle, limit.dt, clock.tick));
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {

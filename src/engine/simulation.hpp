@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "kernels/terms/term_set.hpp"
 #include "src/engine/particle_set.hpp"
 
 namespace sphk {
 
 /// Numbers of a run that the schemes read; names as in the settings' sections.
 struct SimulationSettings {
-  std::string scheme = "sph";       ///< sph | tsph | gadget2
+  std::string scheme = "sph";       ///< any name of scheme_names()
   std::string kernel = "cs";        ///< any name of kernel_names()
   std::string precision = "mixed";  ///< mixed (float pairs, double state) | double
   std::string energy = "entropy";   ///< entropy | energy: the thermal variable that is integrated
@@ -20,6 +21,14 @@ struct SimulationSettings {
   double courant = 0.4;
   double viscosity_alpha = 1;
   double viscosity_beta = 2;
+  double alpha_entropy = 1, alpha_mass = 1;
+  MassCorrection mass_correction = MassCorrection::donor;
+  double alpha_given = -1;  ///< of all particles; negative: the switch decides
+  double alpha_min = 0.2;
+  double switch_noise = 0.05;
+  bool balsara_limits_all = true;
+  bool individual_steps = false;
+  bool step_limiter = true;  ///< steps of neighbours stay within a factor 4
   double h_max = 0;   ///< cap of the support radius; 0: none but the box
   double max_dt = 0;  ///< 0: no cap
 };

@@ -23,6 +23,7 @@ void check_lengths(const ParticleSet& p) {
   check(p.m.size(), "masses", false);
   check(p.u.size(), "thermal energies", false);
   check(p.h.size(), "smoothing lengths", true);
+  check(p.alpha.size(), "values of alpha", true);
   check(p.id.size(), "ids", true);
 }
 

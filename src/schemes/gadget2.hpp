@@ -10,6 +10,8 @@ namespace sphk {
 /// Classic SPH as in GADGET-2 (Springel 2005): entropy, grad-h, signal-velocity viscosity with the Balsara switch.
 template <int D, class K, class T>
 struct Gadget2 : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                        TermSet<PressureGradientConservative, ViscositySignalVelocity, SignalVelocity>, ClassicStep> {};
+                        TermSet<PressureGradientConservative, ViscositySignalVelocity, SignalVelocity>,
+                        Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, GradH, Rates,
+                               KickTimeStep, NextSteps>> {};
 
 }  // namespace sphk

@@ -12,7 +12,7 @@ namespace {
 template <int D, class K, class T>
 struct Glass : Scheme<D, K, T, EntropyForm, TermSet<>,
                       TermSet<PressureGradientConservative, SignalVelocity>,
-                      Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, Rates, KickTimeStep, Damping>> {};
+                      Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, GradH, Rates, KickTimeStep, Damping>> {};
 
 }  // namespace
 

@@ -44,13 +44,14 @@ SchemeDescription describe_scheme() {
 }
 
 template <template <int, class, class> class S, int D, class T, class... K>
-void append(Instantiations& rows, const std::string& scheme, const std::string& energy, List<K...>) {
+void append(Instantiations& rows, const std::string& scheme, const std::string& energy, List<K...>,
+            Masses masses = Masses::any) {
   const std::string precision = std::is_same_v<T, float> ? "mixed" : "double";
   [[maybe_unused]] const auto add = [&]<class Kernel>() {
     std::string kernel;
     if constexpr (!std::is_same_v<Kernel, Tabulated>) kernel = Kernel::name;
     using Instance = S<D, Kernel, T>;
-    rows.push_back({scheme, energy, D, precision, kernel, make_engine<Instance>, describe_scheme<Instance>});
+    rows.push_back({scheme, energy, D, precision, kernel, masses, make_engine<Instance>, describe_scheme<Instance>});
   };
   (add.template operator()<K>(), ...);
 }
@@ -59,12 +60,13 @@ void append(Instantiations& rows, const std::string& scheme, const std::string& 
 
 /// Rows for scheme S in D dimensions: mixed and double, with the curated kernels and with the table for all others.
 template <template <int, class, class> class S, int D, class... K>
-Instantiations instantiate(const std::string& scheme, const std::string& energy, List<K...> curated) {
+Instantiations instantiate(const std::string& scheme, const std::string& energy, List<K...> curated,
+                           Masses masses = Masses::any) {
   Instantiations rows;
-  detail::append<S, D, float>(rows, scheme, energy, curated);
-  detail::append<S, D, double>(rows, scheme, energy, curated);
-  detail::append<S, D, float>(rows, scheme, energy, List<Tabulated>{});
-  detail::append<S, D, double>(rows, scheme, energy, List<Tabulated>{});
+  detail::append<S, D, float>(rows, scheme, energy, curated, masses);
+  detail::append<S, D, double>(rows, scheme, energy, curated, masses);
+  detail::append<S, D, float>(rows, scheme, energy, List<Tabulated>{}, masses);
+  detail::append<S, D, double>(rows, scheme, energy, List<Tabulated>{}, masses);
   return rows;
 }
 

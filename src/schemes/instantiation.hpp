@@ -8,6 +8,9 @@
 
 namespace sphk {
 
+/// Which particles a compiled scheme serves.
+enum class Masses { any, equal };
+
 /// One compiled scheme: what it is called and how it is made. The rows of the one table that run time chooses from.
 struct Instantiation {
   std::string scheme;  ///< the name that users give
@@ -15,6 +18,7 @@ struct Instantiation {
   int dimension;
   std::string precision;  ///< mixed | double
   std::string kernel;     ///< empty: any, through the table
+  Masses masses;
   std::unique_ptr<Simulation> (*make)(const ParticleSet&, const SimulationSettings&);
   SchemeDescription (*describe)();
 };
@@ -27,6 +31,10 @@ Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
 Instantiations tsph_1d(), tsph_2d(), tsph_3d();
 
 Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
+Instantiations sphs_1d(), sphs_2d(), sphs_3d();
+Instantiations sphs_multi_1d(), sphs_multi_2d(), sphs_multi_3d();
+Instantiations sphs_conservative_1d(), sphs_conservative_2d(), sphs_conservative_3d();
+Instantiations sphs_morris_1d(), sphs_morris_2d(), sphs_morris_3d();
 Instantiations glass();
 
 }  // namespace sphk

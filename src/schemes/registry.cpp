@@ -19,22 +19,28 @@ const Instantiations& table() {
   static const Instantiations all = [] {
     Instantiations rows;
     for (const auto source : {sph_entropy_1d, sph_entropy_2d, sph_entropy_3d, sph_energy_1d, sph_energy_2d,
-                              sph_energy_3d, tsph_1d, tsph_2d, tsph_3d, gadget2_1d, gadget2_2d, gadget2_3d, glass})
+                              sph_energy_3d, tsph_1d, tsph_2d, tsph_3d, gadget2_1d, gadget2_2d, gadget2_3d, sphs_1d,
+                              sphs_2d, sphs_3d, sphs_multi_1d, sphs_multi_2d, sphs_multi_3d, sphs_conservative_1d,
+                              sphs_conservative_2d, sphs_conservative_3d, sphs_morris_1d, sphs_morris_2d,
+                              sphs_morris_3d, glass})
       for (Instantiation& row : source()) rows.push_back(std::move(row));
     return rows;
   }();
   return all;
 }
 
-/// The compiled scheme for these settings: the kernel's own instantiation, or the table's.
-const Instantiation& choose(const SimulationSettings& settings, int dimension) {
+/// The compiled scheme for these settings: the kernel's own instantiation, or the table's; one for equal masses where
+/// they are equal, or where no mass is to be exchanged.
+const Instantiation& choose(const SimulationSettings& settings, int dimension, bool equal_masses) {
+  const bool no_exchange = equal_masses || settings.alpha_mass == 0;
   const auto matches = [&](const Instantiation& row, const std::string& kernel) {
     return row.scheme == settings.scheme && row.energy == settings.energy && row.dimension == dimension &&
            row.precision == settings.precision && row.kernel == kernel;
   };
   for (const std::string& kernel : {settings.kernel, std::string()})
-    for (const Instantiation& row : table())
-      if (matches(row, kernel)) return row;
+    for (const Masses masses : {Masses::equal, Masses::any})
+      for (const Instantiation& row : table())
+        if (matches(row, kernel) && row.masses == masses && (masses == Masses::any || no_exchange)) return row;
   throw InputError(
       fmt::format("there is no scheme \"{}\" that integrates \"{}\" in {}D with \"{}\" precision; schemes are {}",
                   settings.scheme, settings.energy, dimension, settings.precision, fmt::join(scheme_names(), ", ")));
@@ -42,8 +48,17 @@ const Instantiation& choose(const SimulationSettings& settings, int dimension) {
 
 /// R10's Courant number for its time-step condition, S12's for that of the signal-velocity viscosity.
 double usual_courant(const std::string& scheme) {
-  return scheme == "gadget2" ? 0.2 : 0.4;
+  return scheme == "sph" || scheme == "tsph" ? 0.4 : 0.2;
 }
+
+bool have_equal_masses(const ParticleSet& particles) {
+  return std::ranges::adjacent_find(particles.m, std::ranges::not_equal_to{}) == particles.m.end();
+}
+
+constexpr std::pair<const char*, MassCorrection> mass_corrections[] = {{"donor", MassCorrection::donor},
+                                                                       {"donor-unpaid", MassCorrection::donor_unpaid},
+                                                                       {"flux", MassCorrection::flux},
+                                                                       {"particle", MassCorrection::particle}};
 
 double with_kernel_number(const std::string& kernel, double (*number)(double w0, double norm, int dimension),
                           int dimension) {
@@ -90,14 +105,39 @@ void declare_engine_keys(Settings& settings) {
                     1e300});
   settings.declare({"viscosity.alpha", 1.0, "linear viscosity", {}, 0, 100});
   settings.declare({"viscosity.beta", 2.0, "quadratic viscosity (schemes sph and tsph)", {}, 0, 100});
+  settings.declare({"dissipation.entropy", 1.0, "alpha_A of entropy dissipation (sphs)", {}, 0, 100});
+  settings.declare({"dissipation.mass", 1.0, "alpha_m of mass dissipation, where masses differ (sphs)", {}, 0, 100});
+  std::vector<std::string> forms;
+  for (const auto& [name, form] : mass_corrections) forms.emplace_back(name);
+  settings.declare({"dissipation.mass_form",
+                    "donor",
+                    "what exchanged mass brings along: the donor's velocity and energy, App. E's flux, or nothing (S12)",
+                    forms});
+  settings.declare({"switch.alpha", -1.0, "alpha of all particles; negative: the switch decides (sphs)", {}, -1, 100});
+  settings.declare({"switch.alpha_min", 0.2, "what alpha decays to (S12 eq 23)", {}, 0, 1});
+  settings.declare({"switch.noise", 0.05, "n_s of S12 eq 21", {}, 0, 100});
+  settings.declare(
+      {"switch.balsara", "all", "which dissipations Balsara's factor limits", {"all", "viscosity"}});
+  settings.declare({"time.steps",
+                    "auto",
+                    "individual steps of the particles in powers of two, or a global one; auto: individual for sphs",
+                    {"auto", "individual", "global"}});
+  settings.declare({"time.limiter", true, "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009)", {}});
   settings.declare({"time.courant",
                     0.0,
-                    "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for gadget2",
+                    "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for the others",
                     {},
                     0,
                     10});
   settings.declare({"time.max_dt", 0.0, "largest time-step; 0: no limit", {}, 0, 1e300});
 }
+
+namespace {
+bool has_individual_steps(const Settings& settings) {
+  const std::string& choice = settings.text("time.steps");
+  return choice == "individual" || (choice == "auto" && settings.text("sph.scheme").starts_with("sphs"));
+}
+}  // namespace
 
 SimulationSettings simulation_settings(const Settings& settings) {
   return {.scheme = settings.text("sph.scheme"),
@@ -110,12 +150,23 @@ SimulationSettings simulation_settings(const Settings& settings) {
                                                        : usual_courant(settings.text("sph.scheme")),
           .viscosity_alpha = settings.real("viscosity.alpha"),
           .viscosity_beta = settings.real("viscosity.beta"),
+          .alpha_entropy = settings.real("dissipation.entropy"),
+          .alpha_mass = settings.real("dissipation.mass"),
+          .mass_correction = std::ranges::find(mass_corrections, settings.text("dissipation.mass_form"),
+                                               [](const auto& form) { return std::string(form.first); })
+                                 ->second,
+          .alpha_given = settings.real("switch.alpha"),
+          .alpha_min = settings.real("switch.alpha_min"),
+          .switch_noise = settings.real("switch.noise"),
+          .balsara_limits_all = settings.text("switch.balsara") == "all",
+          .individual_steps = has_individual_steps(settings),
+          .step_limiter = settings.flag("time.limiter"),
           .h_max = settings.real("sph.h_max"),
           .max_dt = settings.real("time.max_dt")};
 }
 
-SchemeDescription describe(const SimulationSettings& settings, int dimension) {
-  const Instantiation& row = choose(settings, dimension);
+SchemeDescription describe(const SimulationSettings& settings, const ParticleSet& particles) {
+  const Instantiation& row = choose(settings, particles.dimension, have_equal_masses(particles));
   SchemeDescription description = row.describe();
   description.scheme = settings.scheme;
   description.kernel = settings.kernel;
@@ -126,7 +177,7 @@ SchemeDescription describe(const SimulationSettings& settings, int dimension) {
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {
   check_runnable(particles);
   check_runnable(settings, particles.dimension);
-  return choose(settings, particles.dimension).make(particles, settings);
+  return choose(settings, particles.dimension, have_equal_masses(particles)).make(particles, settings);
 }
 
 }  // namespace sphk

@@ -20,7 +20,8 @@ SimulationSettings simulation_settings(const Settings& settings);
 /// Smallest N_n for which S12 eq 11 has a root: V_D N_D w(0), the self term alone.
 double min_neighbours(const std::string& kernel, int dimension);
 
-SchemeDescription describe(const SimulationSettings& settings, int dimension);
+/// Of the compiled scheme that serves these particles.
+SchemeDescription describe(const SimulationSettings& settings, const ParticleSet& particles);
 
 /// Checks the particles and the settings (InputError), loads the device and computes the first density and rates.
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings);

@@ -38,9 +38,9 @@ void expect_close(const std::vector<double>& a, const std::vector<double>& b, do
 TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
   const S::RateTerms terms(run.state.parameters);
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
-  add_pair_rates(run.state, terms, tiles);
+  add_pair_sums("tiles", run.state, terms, tiles);
   Kokkos::parallel_for("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                       detail::PairRates<S, S::RateTerms, Columns<3, Adds>>(run.state, terms, threads));
+                       detail::PairSums<Reach::symmetric, S, S::RateTerms, Columns<3, Adds>>(run.state, terms, threads));
   Kokkos::fence();
   expect_close(field<Acceleration>(threads), field<Acceleration>(tiles), 1e-13);
   expect_close(field<Heating>(threads), field<Heating>(tiles), 1e-13);
