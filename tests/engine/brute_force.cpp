@@ -3,24 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "kernels/smoothing/list.hpp"
+#include "tests/engine/array3.hpp"
 
 namespace sphk::test {
 
 namespace {
-
-double dot(const Array3& a, const Array3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Array3 difference(const Array3& a, const Array3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-void add(Array3& to, double factor, const Array3& a) {
-  for (int d = 0; d < 3; ++d) to[d] += factor * a[d];
-}
 
 double sphere_volume(int dimension, double h) {
   return dimension == 1 ? 2 * h : dimension == 2 ? M_PI * h * h : 4 * M_PI / 3 * h * h * h;
@@ -117,37 +107,69 @@ void BruteForce::state_equation(int i) {
   balsara[i] = div / (div + curl + 1e-4 * c[i] / h[i]);
 }
 
-void BruteForce::pair_sums(int i) {
-  const int D = particles_.dimension;
-  const double gamma = settings_.gamma, alpha = settings_.viscosity_alpha, beta = settings_.viscosity_beta;
-  const auto z = [&](int k) { return -h[k] / (D * n[k]) * drho_dh[k] / (1 + h[k] / (D * n[k]) * dn_dh[k]); };
-  double heating = 0;
+std::vector<BruteForce::Pair> BruteForce::pairs(int i) const {
   const double widest = *std::max_element(h.begin(), h.end());
-  for (const Neighbour& pair : images(i, widest)) {
+  std::vector<Pair> found;
+  for (const Neighbour& near : images(i, widest)) {
+    if (near.r >= std::max(h[i], h[near.j])) continue;
+    const Kernel none{0, 0, 0}, own = near.r < h[i] ? kernel(near.r, h[i]) : none,
+                                other = near.r < h[near.j] ? kernel(near.r, h[near.j]) : none;
+    Pair pair{near.j, {}, near.r, 0.5 * (own.W + other.W), 0, 0, 0};
+    if (near.r > 0) {
+      add(pair.e, 1 / near.r, near.r_ij);
+      pair.dW_i = own.dW_dr, pair.dW_j = other.dW_dr;
+      pair.dW = 0.5 * (pair.dW_i + pair.dW_j);
+    }
+    found.push_back(pair);
+  }
+  return found;
+}
+
+double BruteForce::z(int i) const {
+  const double factor = h[i] / (particles_.dimension * n[i]);
+  return -factor * drho_dh[i] / (1 + factor * dn_dh[i]);
+}
+
+double BruteForce::pressure_force(MomentumForm form, int i, const Pair& pair) const {
+  const int j = pair.j;
+  const double m_i = particles_.m[i], m_j = particles_.m[j];
+  const double P_i = P[i] / (rho[i] * rho[i]), P_j = P[j] / (rho[j] * rho[j]);
+  switch (form) {
+    case MomentumForm::sph:
+      return -m_j * (P_i + P_j) * pair.dW;
+    case MomentumForm::tsph:
+      return -m_j * (P[i] + P[j]) / (rho[i] * rho[j]) * pair.dW;
+    case MomentumForm::conservative:
+      return -(P_i * (m_j + z(i)) * pair.dW_i + m_j / m_i * P_j * (m_i + z(j)) * pair.dW_j);
+    case MomentumForm::morris:
+      return -m_j * (P[j] - P[i]) / (rho[i] * rho[j]) * pair.dW;
+  }
+  throw std::logic_error("no such form of the pressure force");
+}
+
+void BruteForce::pair_sums(int i) {
+  const double gamma = settings_.gamma, alpha = settings_.viscosity_alpha, beta = settings_.viscosity_beta;
+  const bool gadget2 = settings_.scheme == "gadget2";
+  const MomentumForm form = gadget2                     ? MomentumForm::conservative
+                            : settings_.scheme == "sph" ? MomentumForm::sph
+                                                        : MomentumForm::tsph;
+  double heating = 0;
+  for (const Pair& pair : pairs(i)) {
     const int j = pair.j;
-    if (pair.r == 0 || pair.r >= std::max(h[i], h[j])) continue;
-    const double m = particles_.m[j], m_i = particles_.m[i];
-    const double dW_i = pair.r < h[i] ? kernel(pair.r, h[i]).dW_dr : 0,
-                 dW_j = pair.r < h[j] ? kernel(pair.r, h[j]).dW_dr : 0;
-    const double dW = 0.5 * (dW_i + dW_j);
-    Array3 e{};
-    add(e, 1 / pair.r, pair.r_ij);
-    const double w = dot(difference(particles_.v[i], particles_.v[j]), e);
-    const double P_i = P[i] / (rho[i] * rho[i]), P_j = P[j] / (rho[j] * rho[j]);
+    if (pair.r == 0) continue;
+    const double m = particles_.m[j], w = dot(difference(particles_.v[i], particles_.v[j]), pair.e);
+    add(a[i], pressure_force(form, i, pair), pair.e);
     double Pi = 0;
-    if (settings_.scheme == "gadget2") {
-      add(a[i], -(P_i * (m + z(i)) * dW_i + m / m_i * P_j * (m_i + z(j)) * dW_j), e);
-      if (w < 0) Pi = -0.5 * alpha * (c[i] + c[j] - 3 * w) * w / (0.5 * (rho[i] + rho[j]));
-    } else {
-      const double pressure = settings_.scheme == "sph" ? P_i + P_j : (P[i] + P[j]) / (rho[i] * rho[j]);
-      add(a[i], -m * pressure * dW, e);
+    if (w < 0 && gadget2) {
+      Pi = -0.5 * alpha * (c[i] + c[j] - 3 * w) * w / (0.5 * (rho[i] + rho[j]));
+    } else if (w < 0) {
       const double hs = 0.5 * (0.5 * (h[i] + h[j])), mu = hs * w * pair.r / (pair.r * pair.r + 0.01 * hs * hs);
-      if (w < 0) Pi = (-alpha * 0.5 * (c[i] + c[j]) * mu + beta * mu * mu) / (0.5 * (rho[i] + rho[j]));
+      Pi = (-alpha * 0.5 * (c[i] + c[j]) * mu + beta * mu * mu) / (0.5 * (rho[i] + rho[j]));
     }
     Pi *= 0.5 * (balsara[i] + balsara[j]);
-    add(a[i], -m * Pi * dW, e);
-    heating += 0.5 * m * Pi * w * dW;
-    add(E0[i], 2 * m / rho[j] * h[i] * dW, e);
+    add(a[i], -m * Pi * pair.dW, pair.e);
+    heating += 0.5 * m * Pi * w * pair.dW;
+    add(E0[i], 2 * m / rho[j] * h[i] * pair.dW, pair.e);
   }
   entropy_rate[i] = (gamma - 1) * std::pow(rho[i], 1 - gamma) * heating;
 }
