@@ -5,6 +5,22 @@
 #include "src/io/reader.hpp"
 #include "tests/io/example.hpp"
 
+// What HDF5 1.10.8 itself does with the wrong bytes below, while the handles it is given are valid: it asks for as many
+// bytes as the file says, up to a million million, and copes when it gets none; it follows lengths behind the end of an
+// object header and copies from there; it leaks what it had decoded before it fails. The sanitizers overlook these
+// three, here only.
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are theirs
+extern "C" const char* __asan_default_options() {
+  return "allocator_may_return_null=1";
+}
+extern "C" const char* __asan_default_suppressions() {
+  return "interceptor_via_lib:libhdf5";
+}
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libhdf5";
+}
+// NOLINTEND(bugprone-reserved-identifier)
+
 namespace sphk {
 namespace {
 
@@ -40,7 +56,8 @@ TEST_F(DamagedFiles, EveryTruncationIsRefused) {
   }
 }
 
-/// A fixed choice of bytes: HDF5 1.10 itself reads past its buffers for a few in ten thousand of the others.
+/// A fixed choice of bytes: for a few in ten thousand of the others HDF5 1.10 reads so far past its buffers that it
+/// crashes.
 TEST_F(DamagedFiles, WrongBytesAreReadOrRefused) {
   ExampleIc{}.make().save(file("good.hdf5"));
   const std::string good = bytes_of(file("good.hdf5"));
