@@ -91,7 +91,7 @@ template <class T, int D, class FieldList>
 struct Tile {
   using Fields = FieldList;
   static constexpr int rows = component_count<D, FieldList>;
-  static constexpr int capacity = 2048;
+  static constexpr int capacity = 3072;
   static constexpr int stride = capacity + 64 / static_cast<int>(sizeof(T));  ///< an odd number of cache lines
   static constexpr int entries = rows * stride;
 

@@ -39,7 +39,7 @@ struct TickRange {
 struct Schedule {
   double longest = 1e300;                          ///< no step is longer
   bool limiter = true;                             ///< neighbours stay within a factor 4
-  double updates_since_sort = 0;
+  double updates_since_sort = 1e300;
   Kokkos::View<Ticks*, MemorySpace> caps, other;   ///< `other`: where the sort puts begins and ends
   Kokkos::View<TickRange*, MemorySpace> ranges;    ///< of every node of the tree
 };

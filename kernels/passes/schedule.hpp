@@ -163,7 +163,7 @@ template <class S>
 void limit_steps(Run<S>& run, Ticks start) {
   using L = typename S::Layout;
   const auto& tree = run.state.tree;
-  for (int changed = 1; changed != 0;) {
+  for (int changed = 1; changed > 0;) {
     for (int level = 0; level < tree.levels; ++level)
       Kokkos::parallel_for("ranges of steps", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
                            FitRanges<L>{run.state, run.schedule.ranges, level});

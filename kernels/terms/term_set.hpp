@@ -18,6 +18,7 @@ struct Parameters {
   double gamma = 5.0 / 3;      ///< adiabatic index
   double courant = 0.4;        ///< C of S12 eq 43
   double alpha = 1, beta = 2;  ///< viscosity; alpha is S12's alpha_v where a switch multiplies it
+  bool subtract_E0 = false;    ///< from the pressure force (S12 eq 18)
   double alpha_entropy = 1;    ///< S12's alpha_A
   double alpha_mass = 1;       ///< S12's alpha_m
   double alpha_min = 0.2;      ///< what the switch decays to (S12 eq 23)

@@ -124,6 +124,7 @@ Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings
                               .courant = settings.courant,
                               .alpha = settings.viscosity_alpha,
                               .beta = settings.viscosity_beta,
+                              .subtract_E0 = settings.scheme == "sphs-morris",
                               .alpha_entropy = settings.alpha_entropy,
                               .alpha_mass = settings.alpha_mass,
                               .alpha_min = settings.alpha_min,

@@ -3,7 +3,6 @@
 #include "kernels/terms/entropy_dissipation.hpp"
 #include "kernels/terms/mass_dissipation.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
-#include "kernels/terms/pressure_gradient_morris.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "kernels/terms/viscosity_switched.hpp"
@@ -38,12 +37,5 @@ struct SphsConservative : Scheme<D, K, T, EntropyForm, TermSet<>,
                                  TermSet<PressureGradientConservative, ViscositySwitched, EntropyDissipation,
                                          MassDissipation, SignalVelocity>,
                                  SphsPasses<GradH>::With<MassExchange>> {};
-
-/// With the momentum equation that has its E0 error subtracted (S12 eq 18, suffix e).
-template <int D, class K, class T>
-struct SphsMorris
-    : Scheme<D, K, T, EntropyForm, TermSet<>,
-             TermSet<PressureGradientMorris, ViscositySwitched, EntropyDissipation, MassDissipation, SignalVelocity>,
-             SphsPasses<>::With<MassExchange>> {};
 
 }  // namespace sphk

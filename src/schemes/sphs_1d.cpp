@@ -4,7 +4,7 @@
 namespace sphk {
 
 Instantiations sphs_1d() {
-  return instantiate<Sphs, 1>("sphs", "entropy", List<Hoct<4>>{}, Masses::equal);
+  return instantiate<Sphs, 1>("sphs", "entropy", List<>{}, Masses::equal);
 }
 
 }  // namespace sphk
