@@ -6,6 +6,7 @@
 #include "src/engine/output.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "src/schemes/sph.hpp"
+#include "src/schemes/sphs.hpp"
 
 namespace sphk::bench {
 namespace {
@@ -30,13 +31,21 @@ void cells(benchmark::State& state) {
   report(state, run.state.n, 0, 0, is_mixed<S>);
 }
 
-/// One evaluation of n, rho, div v, curl v and their slopes: the supports are at their roots.
+/// One evaluation of n and rho with their slopes, and the scheme's further sums: the supports are at their roots.
 template <class S>
 void density_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
   for (auto _ : state) find_support(run.state, 1e-2);
-  constexpr double flops = S::DensityTerms::flops + S::Kernel::flops + 3 * 3 + 3 + 6;
+  constexpr double flops = flops_of_search<S> + flops_of_density_terms<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
+}
+
+/// Moments, fits of the velocities, gradients.
+template <class S>
+void gradients_loop(benchmark::State& state, double neighbours) {
+  auto run = loaded<S>(64, neighbours);
+  for (auto _ : state) Gradients::run(run);
+  report(state, run.state.n, neighbours, flops_of_fit<S>, is_mixed<S>);
 }
 
 /// All terms of the scheme.
@@ -44,7 +53,7 @@ template <class S>
 void rates_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
   for (auto _ : state) Rates::run(run);
-  constexpr double flops = S::RateTerms::flops + 2 * S::Kernel::flops + 3 * 3 + 3 + 12;
+  constexpr double flops = flops_of_rates<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }
 
@@ -52,6 +61,8 @@ using Classic48 = Gadget2<3, CubicSpline, float>;
 using Classic48Double = Gadget2<3, CubicSpline, double>;
 using Hoct442 = SphEntropy<3, Hoct<4>, float>;
 using Hoct442Double = SphEntropy<3, Hoct<4>, double>;
+using Sphs442 = Sphs<3, Hoct<4>, float>;
+using Sphs442Double = Sphs<3, Hoct<4>, double>;
 
 const auto registered = [] {
   const auto add = [](const char* name, auto function, auto... arguments) {
@@ -62,6 +73,12 @@ const auto registered = [] {
   add("density_loop/gadget2_cs_48_double", density_loop<Classic48Double>, 48);
   add("density_loop/sph_hoct4_442_mixed", density_loop<Hoct442>, 442);
   add("density_loop/sph_hoct4_442_double", density_loop<Hoct442Double>, 442);
+  add("density_loop/sphs_hoct4_442_mixed", density_loop<Sphs442>, 442);
+  add("density_loop/sphs_hoct4_442_double", density_loop<Sphs442Double>, 442);
+  add("gradients_loop/sphs_hoct4_442_mixed", gradients_loop<Sphs442>, 442);
+  add("gradients_loop/sphs_hoct4_442_double", gradients_loop<Sphs442Double>, 442);
+  add("rates_loop/sphs_hoct4_442_mixed", rates_loop<Sphs442>, 442);
+  add("rates_loop/sphs_hoct4_442_double", rates_loop<Sphs442Double>, 442);
   add("rates_loop/gadget2_cs_48_mixed", rates_loop<Classic48>, 48);
   add("rates_loop/gadget2_cs_48_double", rates_loop<Classic48Double>, 48);
   add("rates_loop/sph_hoct4_442_mixed", rates_loop<Hoct442>, 442);

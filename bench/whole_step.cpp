@@ -26,33 +26,24 @@ void whole_step(benchmark::State& state, const char* scheme, const char* kernel,
          settings.precision == "mixed");
 }
 
-BENCHMARK_CAPTURE(whole_step, gadget2_cs_48_mixed, "gadget2", "cs", 48.0, "mixed")
-    ->Arg(16)
-    ->Arg(32)
-    ->Arg(64)
-    ->Arg(128)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(whole_step, gadget2_cs_48_double, "gadget2", "cs", 48.0, "double")
-    ->Arg(64)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(whole_step, sph_cs_48_mixed, "sph", "cs", 48.0, "mixed")
-    ->Arg(64)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(whole_step, sph_hoct4_442_mixed, "sph", "hoct4", 442.0, "mixed")
-    ->Arg(64)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(whole_step, sph_hoct4_442_double, "sph", "hoct4", 442.0, "double")
-    ->Arg(64)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(whole_step, tsph_wc6_table_442_mixed, "tsph", "wc6", 442.0, "mixed")
-    ->Arg(32)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+const auto registered = [] {
+  const auto add = [](const char* name, const char* scheme, const char* kernel, double neighbours,
+                      const char* precision, std::vector<int> sizes) {
+    const std::string full = std::string("whole_step/") + name + "_" + precision;
+    auto* one = benchmark::RegisterBenchmark(full.c_str(), whole_step, scheme, kernel, neighbours, precision);
+    for (const int n : sizes) one->Arg(n);
+    one->Unit(benchmark::kMillisecond)->UseRealTime();
+  };
+  add("gadget2_cs_48", "gadget2", "cs", 48, "mixed", {16, 32, 64, 128});
+  add("gadget2_cs_48", "gadget2", "cs", 48, "double", {64});
+  add("sph_cs_48", "sph", "cs", 48, "mixed", {64});
+  for (const char* precision : {"mixed", "double"}) {
+    add("sph_hoct4_442", "sph", "hoct4", 442, precision, {64});
+    add("sphs_hoct4_442", "sphs", "hoct4", 442, precision, {64});
+  }
+  add("tsph_wc6_table_442", "tsph", "wc6", 442, "mixed", {32});
+  return true;
+}();
 
 }  // namespace
 }  // namespace sphk::bench

@@ -25,6 +25,7 @@ struct Options {
   RunOptions run;
   PlotOptions plot;
   bool split = false;
+  std::string alpha = "auto";
 };
 
 std::optional<std::filesystem::path> path_of(const std::string& text) {
@@ -57,7 +58,7 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
 }
 
 void add_physics(CLI::App& app, Options& o) {
-  shortcut(app, o, "--scheme", "sph.scheme", "NAME", "the scheme: sph, gadget2, tsph (key sph.scheme)");
+  shortcut(app, o, "--scheme", "sph.scheme", "NAME", "the scheme: sph, gadget2, tsph, sphs, ... or a label such as SPHS-HCT442 (key sph.scheme)");
   shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
   shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
   shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
@@ -107,6 +108,10 @@ void add_rates(CLI::App& root, Options& o) {
   add_threads(app, o);
   app.add_option("--out", o.out, "the HDF5 file to write")->required();
   app.add_flag("--split", o.split, "write each term apart as well");
+  app.add_option("--alpha", o.alpha,
+                 "dissipation: auto (the switch without history for sphs, none for others), file (the field Alpha), or "
+                 "a number for all particles")
+      ->type_name("auto|file|NUMBER");
   app.footer(
       "Computes in double, unless --precision says otherwise.\nExample:\n"
       "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
@@ -160,7 +165,7 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
     return computing([o] { return run_command(o->run); });
   }
   if (name == "rates")
-    return computing([o, keys = overrides(*o)] { return rates_command({o->what, keys, o->out, o->split}); });
+    return computing([o, keys = overrides(*o)] { return rates_command({o->what, keys, o->out, o->split, o->alpha}); });
   if (name == "list") return computing(list_command);
   if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
   if (name == "info") return plain([o] { return info_command(o->file); });

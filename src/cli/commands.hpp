@@ -32,6 +32,7 @@ struct RatesOptions {
   std::vector<Override> overrides;
   std::filesystem::path out;
   bool split = false;
+  std::string alpha = "auto";  ///< auto | file | a number
 };
 
 /// Every command returns its exit code and throws InputError, NumericsError or DeviceError.

@@ -8,6 +8,7 @@
 #include "src/cli/file_scene.hpp"
 #include "src/cli/scene_file.hpp"
 #include "src/engine/errors.hpp"
+#include "src/schemes/labels.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -58,9 +59,24 @@ void take_scene_file(Problem& problem, const SceneFile& file) {
   }
 }
 
+/// The overrides with a paper's label in place of a scheme taken apart, before the others: those may change its parts.
+std::vector<Override> with_labels(const std::vector<Override>& overrides) {
+  std::vector<Override> keys, others;
+  for (const Override& change : overrides) {
+    const auto label = change.name == "sph.scheme" ? keys_of_label(change.text) : std::nullopt;
+    if (!label) {
+      others.push_back(change);
+      continue;
+    }
+    for (const auto& [name, text] : *label) keys.push_back({name, text, change.spelling});
+  }
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
 std::vector<std::string> apply_overrides(Settings& settings, const std::vector<Override>& overrides) {
   std::vector<std::string> problems;
-  for (const Override& change : overrides) {
+  for (const Override& change : with_labels(overrides)) {
     try {
       settings.set_from_text(change.name, change.text, Origin::command_line);
     } catch (const InputError& error) {

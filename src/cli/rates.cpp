@@ -5,6 +5,7 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/run_output.hpp"
+#include "src/engine/errors.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -28,13 +29,35 @@ Field in_input_order(const Field& field, const std::vector<std::size_t>& rank) {
   return sorted;
 }
 
+/// What --alpha asks for, as keys of the run; `particles` keep the file's Alpha only where that is asked.
+std::vector<Override> dissipation(const std::string& alpha, const std::string& scheme, ParticleSet& particles) {
+  if (alpha != "file") particles.alpha.clear();
+  const bool switched = scheme.starts_with("sphs");
+  if (alpha == "file") {
+    if (!switched)
+      throw InputError(fmt::format("--alpha file: the scheme {} has no switch; give a number, or use sphs", scheme));
+    if (particles.alpha.empty())
+      throw InputError("--alpha file: the file has no field Alpha; use --alpha auto, or give a number");
+    return {};
+  }
+  if (alpha == "auto") {
+    if (switched) return {};
+    return {{"viscosity.alpha", "0", "--alpha auto"}, {"viscosity.beta", "0", "--alpha auto"}};
+  }
+  if (switched) return {{"switch.alpha", alpha, "--alpha " + alpha}};
+  return {{"viscosity.alpha", alpha, "--alpha " + alpha}};
+}
+
 }  // namespace
 
 int rates_command(const RatesOptions& options) {
-  std::vector<Override> overrides{{"sph.precision", "double", "--precision double"}};
+  std::vector<Override> overrides{{"sph.precision", "double", "--precision double"},
+                                  {"time.steps", "global", "--precision double"}};
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-  const Problem problem = resolve_problem(options.file, overrides);
+  Problem problem = resolve_problem(options.file, overrides);
   ParticleSet particles = problem.scene->build(problem.settings);
+  for (const Override& key : dissipation(options.alpha, problem.settings.text("sph.scheme"), particles))
+    problem.settings.set_from_text(key.name, key.text, Origin::command_line);
   if (particles.id.empty()) {
     particles.id.resize(particles.size());
     std::iota(particles.id.begin(), particles.id.end(), std::uint64_t{1});

@@ -131,6 +131,19 @@ std::vector<Field> take_rates(const State<S>& state, bool split) {
         -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
     return Form::entropy_rate(host.template at<ThermalRate>(i), work, rho, gamma);
   }));
+  using Fields = typename S::Fields;
+  if constexpr (contains<GradVelocityDivergence, Fields>) {
+    fields.push_back(
+        host.template field<GradVelocityDivergence>("GradVelocityDivergence", "grad(div v)", {-1, 0, -1}));
+    fields.push_back(detail::scalar_field(host, "AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {
+      double grad2 = 0;
+      for (int d = 0; d < D; ++d) grad2 += std::pow(host.template at<GradVelocityDivergence>(i, d), 2);
+      return detail::local_alpha(host.template at<Support>(i), host.template at<VelocityDivergence>(i),
+                                 std::sqrt(grad2), state.parameters.noise * host.template at<SoundSpeed>(i));
+    }));
+  }
+  if constexpr (contains<MassRate, Fields>)
+    fields.push_back(host.template field<MassRate>("MassRate", "dm/dt by mass dissipation", {0, 1, -1}));
   using Terms = typename S::RateTerms::List;
   const auto sums = detail::sums_apart<decltype(detail::apart_terms(Terms{}))>(state);
   fields.push_back(detail::apart_field<NeighbourCount>(host, sums, "NeighbourCount",

@@ -30,6 +30,7 @@ class Engine final : public Simulation {
     pass_steps(typename S::Steps{});
     require_finite(run_.limit, run_.time, run_.step);
     searches_ += run_.searches;
+    fits_ += run_.fits;
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
     count_neighbours<Layout>(run_.state, counts_, report_);
@@ -55,6 +56,7 @@ class Engine final : public Simulation {
     costs_.updates += run_.active_count;
     costs_.pair_interactions += report_.mean_neighbours * static_cast<double>(run_.active_count);
     searches_ += run_.searches;
+    fits_ += run_.fits;
     return report_;
   }
 
@@ -90,7 +92,11 @@ class Engine final : public Simulation {
     }
   }
 
-  std::vector<std::string> warnings() const override { return support_warnings(searches_); }
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> all = support_warnings(searches_);
+    for (std::string& warning : fit_warnings(fits_)) all.push_back(std::move(warning));
+    return all;
+  }
 
  private:
   template <class... Pass, class F>
@@ -172,6 +178,7 @@ class Engine final : public Simulation {
   StepReport report_;
   Costs costs_;
   SupportCounts searches_;
+  FitCounts fits_;
   std::vector<double> seconds_;
 };
 

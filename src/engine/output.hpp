@@ -63,7 +63,8 @@ struct HostColumns {
   Field field(std::string name, std::string description, UnitExponents units) const {
     constexpr int size = components<F, D>;
     constexpr bool is_vector = size > 1 || std::is_same_v<F, Position> || std::is_same_v<F, Velocity> ||
-                               std::is_same_v<F, Acceleration> || std::is_same_v<F, VelocityCurl>;
+                               std::is_same_v<F, Acceleration> || std::is_same_v<F, VelocityCurl> ||
+                               std::is_same_v<F, GradVelocityDivergence>;
     constexpr int first = std::is_same_v<F, VelocityCurl> && D < 3 ? 2 : 0;
     Field out{std::move(name), std::move(description), units, is_vector ? 3 : 1, {}};
     out.values.assign(order.size() * out.components, 0.0);
@@ -142,6 +143,13 @@ inline void require_tick(const StepLimit& limit, const StepClock& clock, double 
                   "1e-13 of the time between two snapshots. Look at the last snapshot around that particle; more "
                   "snapshots (output.snapshots) allow shorter steps.",
                   step, time, limit.particle, limit.dt, clock.tick));
+}
+
+inline std::vector<std::string> fit_warnings(const FitCounts& counts) {
+  if (counts.linear + counts.sph == 0) return {};
+  return {fmt::format("{} fits of the velocity gradients were linear and {} gave way to the SPH estimate: too few "
+                      "neighbours, or on a line or plane; more of them (sph.neighbours) allow second order",
+                      counts.linear, counts.sph)};
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {

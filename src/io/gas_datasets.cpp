@@ -108,6 +108,7 @@ GasDatasets read_gas(const hdf5::Group& gas, double table_mass, NonFinite non_fi
   else
     require(gas, {"Masses", "Mass"});
   if (const auto h = find(gas, {"SmoothingLength", "SmoothingLengths"})) out.h = read_scalars(*h, n, non_finite);
+  if (const auto alpha = find(gas, {"Alpha"})) out.alpha = read_scalars(*alpha, n, non_finite);
   if (const auto ids = find(gas, {"ParticleIDs", "ParticleID"})) out.id = read_ids(*ids, n);
   return out;
 }

@@ -13,6 +13,7 @@ struct GasDatasets {
   int columns = 3;  ///< components per row of Coordinates
   std::vector<Array3> x, v;
   std::vector<double> m, u, h;    ///< h is empty where the file has none
+  std::vector<double> alpha;      ///< empty where the file has none
   std::vector<std::uint64_t> id;  ///< empty where the file has none
 };
 

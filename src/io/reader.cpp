@@ -81,6 +81,7 @@ void Reader::add_part(const hdf5::File& file) {
   append(gas_.m, part.m);
   append(gas_.u, part.u);
   append(gas_.h, part.h);
+  append(gas_.alpha, part.alpha);
   append(gas_.id, part.id);
 }
 
@@ -229,6 +230,7 @@ ReadResult Reader::finish() {
   p.m = std::move(gas_.m);
   p.u = std::move(gas_.u);
   p.h = std::move(gas_.h);
+  if (gas_.alpha.size() == p.x.size()) p.alpha = std::move(gas_.alpha);
   p.id = std::move(gas_.id);
   return std::move(result_);
 }

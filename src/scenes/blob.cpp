@@ -74,10 +74,11 @@ class Blob final : public Scene {
     declare_masses(settings, "equal");
     declare_temperatures(settings);
     prefer_unless_set(settings, "output.snapshots", std::int64_t{8});
+    prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 2 * growth_time());
     adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_unless_set(settings, "sph.neighbours", usual_neighbours(3)); }
+  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, 3); }
 
   ParticleSet build(const Settings& settings) const override {
     const int n = scene_n(settings);

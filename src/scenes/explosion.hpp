@@ -14,7 +14,8 @@ class Explosion : public Scene {
   /// Sedov's self-similar solution.
   std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override;
   std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override;
-  /// peak_density: (gamma+1)/(gamma-1) when resolved, 4 for gamma 5/3.
+  /// peak_density: (gamma+1)/(gamma-1) when resolved, 4 for gamma 5/3. blast_radius: where the shock of a blast with
+  /// the same mean radius of the kinetic energy stands; blast_radius_exact: where it should.
   std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override;
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.5}; }
 

@@ -52,7 +52,7 @@ class Gresho : public Scene {
     adapt(settings);
   }
   void adapt(Settings& settings) const override {
-    prefer_unless_set(settings, "sph.neighbours", usual_neighbours(scene_dimension(settings)));
+    prefer_usual_kernel(settings, scene_dimension(settings));
   }
 
   ParticleSet build(const Settings& settings) const override {

@@ -38,6 +38,13 @@ void prefer_usual_gas(Settings& settings, double end) {
   prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
 }
 
+void prefer_usual_kernel(Settings& settings, int dimension) {
+  const bool sphs = settings.has("sph.scheme") && settings.text("sph.scheme").starts_with("sphs");
+  if (sphs) prefer_unless_set(settings, "sph.kernel", "hoct4");
+  const double wide = dimension == 1 ? 10 : dimension == 2 ? 70 : 442;
+  prefer_unless_set(settings, "sph.neighbours", sphs ? wide : usual_neighbours(dimension));
+}
+
 double usual_neighbours(int dimension) { return dimension == 1 ? 5 : dimension == 2 ? 20 : 48; }
 
 int scene_n(const Settings& settings) { return static_cast<int>(settings.integer("scene.n")); }

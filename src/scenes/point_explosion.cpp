@@ -2,6 +2,7 @@
 
 #include "src/scenes/block.hpp"
 #include "src/scenes/explosion.hpp"
+#include "src/scenes/keys.hpp"
 #include "src/scenes/norms.hpp"
 #include "src/scenes/scenes.hpp"
 
@@ -17,6 +18,7 @@ class PointExplosion final : public Explosion {
   std::string summary() const override { return "all energy in one particle of cold gas (Saitoh & Makino)"; }
 
   void declare(Settings& settings) const override {
+    prefer_unless_set(settings, "sph.scheme", "sphs");
     Explosion::declare(settings);
     settings.declare({.name = "scene.ambient",
                       .value = 1e-6,

@@ -58,12 +58,13 @@ void ShearLayers::declare(Settings& settings) const {
   settings.declare(
       {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
+  prefer_unless_set(settings, "sph.scheme", "sphs");
   prefer_usual_gas(settings, standard.end);
   adapt(settings);
 }
 
 void ShearLayers::adapt(Settings& settings) const {
-  prefer_unless_set(settings, "sph.neighbours", usual_neighbours(scene_dimension(settings)));
+  prefer_usual_kernel(settings, scene_dimension(settings));
 }
 
 ParticleSet ShearLayers::build(const Settings& settings) const {

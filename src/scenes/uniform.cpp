@@ -42,7 +42,7 @@ class UniformGas : public Scene {
     adapt(settings);
   }
   void adapt(Settings& settings) const override {
-    prefer_unless_set(settings, "sph.neighbours", usual_neighbours(scene_dimension(settings)));
+    prefer_usual_kernel(settings, scene_dimension(settings));
   }
 
   /// rho = 1, P = 1.

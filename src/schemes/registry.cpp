@@ -175,6 +175,9 @@ SchemeDescription describe(const SimulationSettings& settings, const ParticleSet
   description.scheme = settings.scheme;
   description.kernel = settings.kernel;
   description.tabulated = row.kernel.empty();
+  if (row.masses == Masses::equal)
+    description.left_out.push_back(
+        settings.alpha_mass == 0 ? "mass dissipation: dissipation.mass = 0" : "mass dissipation: all masses are equal");
   return description;
 }
 

@@ -1,0 +1,129 @@
+// Steps of the particles' own: powers of two, no longer than asked, neighbours within a factor 4, sleepers woken.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "kernels/smoothing/cubic_spline.hpp"
+#include "src/engine/loading.hpp"
+#include "src/schemes/gadget2.hpp"
+#include "tests/engine/brute_force.hpp"
+
+namespace sphk::test {
+namespace {
+
+using S = Gadget2<3, CubicSpline, double>;
+
+struct ScheduleTest : testing::Test {
+  sphk::Run<S> run = loaded();
+
+  static sphk::Run<S> loaded() {
+    SimulationSettings settings;
+    settings.neighbours = 48;
+    settings.individual_steps = true;
+    auto run = load_run<S>(shaken_lattice(3, {12, 9, 8}, 0.3, true, 21), settings, CubicSpline{});
+    StateEquation::run(run);
+    run.state.clock.tick = 1.0 / static_cast<double>(StepClock::block);
+    return run;
+  }
+  /// Every particle asks for a step of 10^-5 to 1 of the block.
+  void ask_at_random() {
+    std::mt19937_64 engine(4);
+    std::uniform_real_distribution<double> exponent(0, 5);
+    auto& state = run.state;
+    for (int i = 0; i < state.n; ++i)
+      state.at<MaxSignalVelocity>(i) =
+          state.parameters.courant * state.at<Support>(i) * std::pow(10, exponent(engine));
+  }
+  Ticks length(int i) const { return run.state.clock.end(i) - run.state.clock.begin(i); }
+  bool are_neighbours(int i, int j) const {
+    double r2 = 0;
+    for (int d = 0; d < 3; ++d) {
+      const double period = run.state.tree.domain.period[d];
+      double x = run.state.at<Position>(i, d) - run.state.at<Position>(j, d);
+      x -= period * std::round(x / period);
+      r2 += x * x;
+    }
+    const double h = std::max(run.state.at<Support>(i), run.state.at<Support>(j));
+    return r2 < h * h;
+  }
+};
+
+TEST_F(ScheduleTest, steps_are_the_largest_powers_of_two_that_were_asked) {
+  ask_at_random();
+  run.schedule.limiter = false;
+  assign_steps(run, 0);
+  for (int i = 0; i < run.state.n; ++i) {
+    EXPECT_EQ(length(i) & (length(i) - 1), 0);
+    const double step = static_cast<double>(length(i)) * run.state.clock.tick, asked = run.state.step_asked(i);
+    EXPECT_LE(step, asked * (1 + 1e-12));
+    EXPECT_GT(2 * step, std::min(asked, 1.0) * (1 - 1e-12));
+  }
+}
+
+TEST_F(ScheduleTest, steps_begin_where_steps_of_their_length_do) {
+  ask_at_random();
+  const Ticks start = 3 * (StepClock::block / 8);
+  assign_steps(run, start);
+  for (int i = 0; i < run.state.n; ++i) {
+    EXPECT_EQ(start % length(i), 0);
+    EXPECT_LE(run.state.clock.end(i), StepClock::block);
+  }
+}
+
+TEST_F(ScheduleTest, neighbours_stay_within_a_factor_four) {
+  ask_at_random();
+  assign_steps(run, 0);
+  Ticks shortest = StepClock::block, longest = 0;
+  for (int i = 0; i < run.state.n; ++i) {
+    shortest = std::min(shortest, length(i)), longest = std::max(longest, length(i));
+    for (int j = 0; j < i; ++j)
+      if (are_neighbours(i, j)) {
+        ASSERT_LE(length(i), 4 * length(j)) << i << " and " << j;
+        ASSERT_LE(length(j), 4 * length(i)) << i << " and " << j;
+      }
+  }
+  EXPECT_LT(shortest, longest) << "the limiter must not make all steps alike";
+}
+
+/// One particle ends a short step and asks for 1/1024 of the block; all others sleep through it.
+TEST_F(ScheduleTest, a_sleeping_neighbour_is_woken_at_once) {
+  auto& state = run.state;
+  const Ticks now = StepClock::block / 64, asked = StepClock::block / 1024;
+  const int hot = 100;
+  for (int i = 0; i < state.n; ++i) {
+    state.clock.begin(i) = 0;
+    state.clock.end(i) = i == hot ? now : StepClock::block;
+    for (int d = 0; d < 3; ++d) state.at<Acceleration>(i, d) = d + 1;
+  }
+  state.at<MaxSignalVelocity>(hot) = state.parameters.courant * state.at<Support>(hot) * 1024;
+  const double x_before = state.at<Position>(hot == 0 ? 1 : hot - 1, 0);
+  state.clock.next = now;
+  ActiveParticles::run(run);
+  EXPECT_EQ(run.active_count, 1);
+  assign_steps(run, now);
+  EXPECT_EQ(length(hot), asked);
+  bool some_sleep = false;
+  for (int i = 0; i < state.n; ++i) {
+    if (i == hot) continue;
+    if (are_neighbours(i, hot)) {
+      EXPECT_EQ(state.clock.begin(i), now);
+      EXPECT_EQ(length(i), 4 * asked);
+    } else if (state.clock.begin(i) == 0) {
+      EXPECT_EQ(state.clock.end(i), StepClock::block);
+      some_sleep = true;
+    }
+  }
+  EXPECT_TRUE(some_sleep);
+  // A woken particle's drift went at v_0 + a T/2 for t = T/64; a step that ends there wants v_0 + a t/2: the difference
+  // is a t (t - T)/2.
+  const double t = 1.0 / 64, correction = 0.5 * t * (t - 1);
+  if (are_neighbours(hot - 1, hot)) {
+    EXPECT_NEAR(state.at<Position>(hot - 1, 0), x_before + correction, 1e-14);
+  } else {
+    EXPECT_EQ(state.at<Position>(hot - 1, 0), x_before);
+  }
+}
+
+}  // namespace
+}  // namespace sphk::test
