@@ -10,8 +10,8 @@ namespace sphk {
 /// first `basis` of them are those of a second-order polynomial; the `count` are what products of two of these are.
 template <int D>
 struct Monomials {
-  static constexpr int linear = 1 + D;                              ///< 2, 3, 4
-  static constexpr int basis = (D + 1) * (D + 2) / 2;               ///< 3, 6, 10
+  static constexpr int linear = 1 + D;                 ///< 2, 3, 4
+  static constexpr int basis = (D + 1) * (D + 2) / 2;  ///< 3, 6, 10
   static constexpr int count = D == 1 ? 5 : D == 2 ? 15 : 35;
 
   struct Powers {
@@ -95,7 +95,9 @@ KOKKOS_FORCEINLINE_FUNCTION P basis_value(const Vec<P, D>& x) {
 /// Calls f.template operator()<k>() for k = 0 ... n - 1.
 template <int n, class F>
 KOKKOS_FORCEINLINE_FUNCTION void for_each_index(F&& f) {
-  [&]<int... k>(std::integer_sequence<int, k...>) { (f.template operator()<k>(), ...); }
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (f.template operator()<k>(), ...);
+  }
   (std::make_integer_sequence<int, n>{});
 }
 
@@ -108,9 +110,9 @@ struct PolynomialFit {
   static constexpr int size = M::basis;
   using T = lane_t<P>;
 
-  P L[size][size];       ///< below the diagonal
+  P L[size][size];  ///< below the diagonal
   P d_inv[size];
-  P a[sides][size];      ///< coefficients; in: right-hand sides
+  P a[sides][size];           ///< coefficients; in: right-hand sides
   P quality, linear_quality;  ///< the smallest D_k / M_kk: 1 for independent columns, 0 for degenerate neighbours
 
   /// Factors the matrix of the moments. A pivot that is not positive is taken as infinite.

@@ -10,8 +10,8 @@ namespace sphk {
 /// Times of a hierarchy of steps, in ticks since the start of a block of time.
 using Ticks = std::int64_t;
 
-/// How far a run has got: one step for all particles, or steps of their own that are powers of two of a tick. A block of
-/// time, at whose end all steps end, is 2^block_bits ticks long.
+/// How far a run has got: one step for all particles, or steps of their own that are powers of two of a tick. A block
+/// of time, at whose end all steps end, is 2^block_bits ticks long.
 struct StepClock {
   static constexpr int block_bits = 44;
   static constexpr Ticks block = Ticks(1) << block_bits;

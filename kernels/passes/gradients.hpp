@@ -56,9 +56,10 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     if (!state.active.contains(i)) return;
     const typename Base::Walk walk{state.tree, state.columns};
     const auto target = walk.target(i);
+    const T h_D = power_of_dimension<D>(1 / target.h_inv);
     double sums[sums_size] = {};
     walk.for_each(i, state.template at<Support>(i), [&](const auto& j) {
-      const T w = weight(target, j.r2, j.h_inv, j.m);
+      const T w = weight(target, h_D, j.r2, j.h_inv, j.m);
       const Vec<T, D> x = -target.h_inv * j.r_ij;
       for_each_index<M::count>([&]<int k>() { sums[k] += moment<k>(w, x); });
       for (int c = 0; c < D; ++c) {
@@ -71,12 +72,12 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
   }
 
  private:
-  /// m_j Wbar of S12 eq 27 over (N_D/2) m_i h_i^-D, which no fit feels.
+  /// m_j Wbar of S12 eq 27 over (N_D/2) h_i^-D, which no fit feels; h_D is h_i^D.
   template <class P>
-  KOKKOS_FORCEINLINE_FUNCTION P weight(const auto& i, const P& r2, const P& h_inv, const P& m) const {
-    const P r = sphk::sqrt(r2), ratio = h_inv / i.h_inv;
+  KOKKOS_FORCEINLINE_FUNCTION P weight(const auto& i, const P& h_D, const P& r2, const P& h_inv, const P& m) const {
+    const P r = sphk::sqrt(r2);
     const P w_i = state.smoothing.kernel.w(r * i.h_inv), w_j = state.smoothing.kernel.w(r * h_inv);
-    return m / i.m * (w_i + power_of_dimension<D>(ratio) * w_j);
+    return m * (w_i + h_D * power_of_dimension<D>(h_inv) * w_j);
   }
   template <int k, class P>
   KOKKOS_FORCEINLINE_FUNCTION static P moment(const P& w, const Vec<P, D>& x) {
@@ -98,8 +99,9 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     const auto target = Base::target_of(cell, i);
     cell.list(target.x, state.template at<Support>(i));
     const auto& list = cell.neighbours();
+    const Pack h_D = power_of_dimension<D>(Pack(T(1)) / target.h_inv);
     for (int k = 0; k < list.count; k += Cell::width) {
-      const Pack w = weight(target, weight_of(list, k), load<Pack>(list.template row<InverseSupport>() + k),
+      const Pack w = weight(target, h_D, weight_of(list, k), load<Pack>(list.template row<InverseSupport>() + k),
                             load<Pack>(list.template row<Mass>() + k));
       const Vec<Pack, D> x = -target.h_inv * offset(list, k);
       store(list.template row<Distance2>() + k, w);

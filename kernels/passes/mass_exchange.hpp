@@ -8,11 +8,10 @@ namespace sphk {
 
 namespace detail {
 
-/// Adds what exchanged mass does to v and u. With M = dm_i/dt and the sums p = sum G (v_j - v_i), e = sum G [u_j - u_i +
-/// v_ij^2/2] of MassDissipation:
-/// donor:        m dv/dt = p,        m du/dt = e;
-/// flux:         m dv/dt = p + v M,  m du/dt = e + v . p + (v^2/2 + u) M  (S12 eq E6, E8);
-/// per particle: m dv/dt = -v M,     m du/dt = (v^2/2 - u) M              (S12 eq 39-40).
+/// Adds what exchanged mass does to v and u. With M = dm_i/dt and the sums p = sum G (v_j - v_i), e = sum G [u_j - u_i
+/// + v_ij^2/2] of MassDissipation: donor:        m dv/dt = p,        m du/dt = e; flux:         m dv/dt = p + v M,  m
+/// du/dt = e + v . p + (v^2/2 + u) M  (S12 eq E6, E8); per particle: m dv/dt = -v M,     m du/dt = (v^2/2 - u) M (S12
+/// eq 39-40).
 template <class L>
 struct CorrectForMass {
   Particles<L> state;
@@ -21,11 +20,11 @@ struct CorrectForMass {
     constexpr int D = L::dimension;
     const auto s = state.columns.template load<List<MassRate, MassMomentum, MassEnergy, Velocity, Mass>>(i);
     const double m_inv = 1 / s.m;
-    const double u = state.template at<Pressure>(i) * state.template at<InverseDensity>(i) / (state.parameters.gamma - 1);
+    const double u =
+        state.template at<Pressure>(i) * state.template at<InverseDensity>(i) / (state.parameters.gamma - 1);
     const MassCorrection form = state.parameters.mass_correction;
     const double own = form == MassCorrection::flux ? 1 : form == MassCorrection::particle ? -1 : 0;
-    for (int d = 0; d < D; ++d)
-      state.template at<Acceleration>(i, d) += m_inv * (s.dm_v[d] + own * s.dm * s.v[d]);
+    for (int d = 0; d < D; ++d) state.template at<Acceleration>(i, d) += m_inv * (s.dm_v[d] + own * s.dm * s.v[d]);
     double heat = s.dm_e;
     if (own != 0) heat += (0.5 * dot(s.v, s.v) + own * u) * s.dm;
     if (form == MassCorrection::flux) heat += dot(s.v, s.dm_v);

@@ -83,8 +83,8 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
 
 }  // namespace detail
 
-/// The sums of all terms, stored in the columns `out`, which hold what the terms add: over pairs with r < max(h_i, h_j),
-/// or with r < h_i for Reach::gather. The tree must be fitted to the present positions and supports.
+/// The sums of all terms, stored in the columns `out`, which hold what the terms add: over pairs with r < max(h_i,
+/// h_j), or with r < h_i for Reach::gather. The tree must be fitted to the present positions and supports.
 template <Reach mode = Reach::symmetric, class Terms, class S, class Out>
 void add_pair_sums(const char* name, const State<S>& state, const Terms& terms, const Out& out) {
   run_pairs(name, detail::PairSums<mode, S, Terms, Out>(state, terms, out));

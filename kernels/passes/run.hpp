@@ -37,11 +37,11 @@ struct TickRange {
 
 /// What a hierarchy of steps needs beside the clock.
 struct Schedule {
-  double longest = 1e300;                          ///< no step is longer
-  bool limiter = true;                             ///< neighbours stay within a factor 4
+  double longest = 1e300;  ///< no step is longer
+  bool limiter = true;     ///< neighbours stay within a factor 4
   double updates_since_sort = 1e300;
-  Kokkos::View<Ticks*, MemorySpace> caps, other;   ///< `other`: where the sort puts begins and ends
-  Kokkos::View<TickRange*, MemorySpace> ranges;    ///< of every node of the tree
+  Kokkos::View<Ticks*, MemorySpace> caps, other;  ///< `other`: where the sort puts begins and ends
+  Kokkos::View<TickRange*, MemorySpace> ranges;   ///< of every node of the tree
 };
 
 /// A run of scheme S between two passes.
@@ -52,7 +52,7 @@ struct Run {
   Sorter<S::dimension, typename Particles<typename S::Layout>::Columns> sorter;
   double time = 0;
   long step = 0;
-  long active_count = 0;   ///< particles computed in the last step
+  long active_count = 0;  ///< particles computed in the last step
   Schedule schedule;
   double accept = 0;       ///< relative move at which a search for h ends
   SupportCounts searches;  ///< of the last pass

@@ -111,8 +111,8 @@ struct CapSteps {
   }
 };
 
-/// The drift goes with the velocity at the middle of the step. Where the step ends after `done` of its length, x = x_0 +
-/// v_0 t + a t^2/2 wants the velocity at the middle of what is done.
+/// The drift goes with the velocity at the middle of the step. Where the step ends after `done` of its length, x = x_0
+/// + v_0 t + a t^2/2 wants the velocity at the middle of what is done.
 template <class L>
 KOKKOS_INLINE_FUNCTION void cut_drift(const Particles<L>& state, int i, double done, double length) {
   for (int d = 0; d < L::dimension; ++d)

@@ -24,9 +24,9 @@ struct Layout {
 /// The particles whose step ends now: all of them, or those of the masks. Pair loops compute these alone.
 struct ActiveSet {
   bool everyone = true;
-  int count = 0;                                  ///< cells that hold active particles
-  Kokkos::View<int*, MemorySpace> cell_numbers;   ///< the first `count`: those cells
-  Kokkos::View<TargetMask*, MemorySpace> masks;   ///< of every cell
+  int count = 0;                                 ///< cells that hold active particles
+  Kokkos::View<int*, MemorySpace> cell_numbers;  ///< the first `count`: those cells
+  Kokkos::View<TargetMask*, MemorySpace> masks;  ///< of every cell
 
   template <int D>
   int cells(const CellTree<D>& tree) const {

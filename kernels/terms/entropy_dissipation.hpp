@@ -9,8 +9,7 @@ namespace sphk {
 struct EntropyDissipation {
   static constexpr const char* label = "EntropyDissipation";
   static constexpr const char* name = "entropy dissipation with the pressure limiter (S12 eq 33-35)";
-  using Reads =
-      List<Position, InverseSupport, Mass, Velocity, Pressure, InverseDensity, SoundSpeed, DissipationAlpha>;
+  using Reads = List<Position, InverseSupport, Mass, Velocity, Pressure, InverseDensity, SoundSpeed, DissipationAlpha>;
   using Adds = List<Heating>;
   static constexpr int flops = 28;
   double strength;  ///< alpha_A / (gamma - 1)

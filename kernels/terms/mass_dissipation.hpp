@@ -11,13 +11,12 @@ namespace sphk {
 struct MassDissipation {
   static constexpr const char* label = "MassDissipation";
   static constexpr const char* name = "mass dissipation (S12 eq 36)";
-  using Reads =
-      List<Position, InverseSupport, Mass, Velocity, Pressure, InverseDensity, SoundSpeed, DissipationAlpha>;
+  using Reads = List<Position, InverseSupport, Mass, Velocity, Pressure, InverseDensity, SoundSpeed, DissipationAlpha>;
   using Adds = List<MassRate, MassMomentum, MassEnergy>;
   static constexpr int flops = 44;
-  double strength;      ///< alpha_m / 2: m_ij is half the sum
-  double gain, loss;    ///< G = gain max(F, 0) + loss min(F, 0)
-  double gamma_1_inv;   ///< 1 / (gamma - 1)
+  double strength;     ///< alpha_m / 2: m_ij is half the sum
+  double gain, loss;   ///< G = gain max(F, 0) + loss min(F, 0)
+  double gamma_1_inv;  ///< 1 / (gamma - 1)
   explicit MassDissipation(const Parameters& p)
       : strength(0.5 * p.alpha_mass),
         gain(p.mass_correction == MassCorrection::particle ? 0 : 1),

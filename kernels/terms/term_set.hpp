@@ -6,27 +6,27 @@ namespace sphk {
 
 /// How the momentum and energy of a particle follow the mass that it exchanges.
 enum class MassCorrection {
-  particle,       ///< every particle keeps its own (S12 eq 39-40)
-  flux,           ///< S12 eq E6 and E8
-  donor,          ///< mass brings the velocity and energy of the particle that gives it; rho's change is paid for
-  donor_unpaid    ///< the same without the work of rho's change
+  particle,     ///< every particle keeps its own (S12 eq 39-40)
+  flux,         ///< S12 eq E6 and E8
+  donor,        ///< mass brings the velocity and energy of the particle that gives it; rho's change is paid for
+  donor_unpaid  ///< the same without the work of rho's change
 };
 
 /// Numbers that terms and passes read, in code units; one set for a run.
 struct Parameters {
-  double neighbours = 48;      ///< N_n of S12 eq 11
-  double gamma = 5.0 / 3;      ///< adiabatic index
-  double courant = 0.4;        ///< C of S12 eq 43
-  double alpha = 1, beta = 2;  ///< viscosity; alpha is S12's alpha_v where a switch multiplies it
-  bool subtract_E0 = false;    ///< from the pressure force (S12 eq 18)
-  double alpha_entropy = 1;    ///< S12's alpha_A
-  double alpha_mass = 1;       ///< S12's alpha_m
-  double alpha_min = 0.2;      ///< what the switch decays to (S12 eq 23)
-  double noise = 0.05;         ///< n_s of S12 eq 21
-  double alpha_given = -1;     ///< of every particle; negative: the switch decides
+  double neighbours = 48;          ///< N_n of S12 eq 11
+  double gamma = 5.0 / 3;          ///< adiabatic index
+  double courant = 0.4;            ///< C of S12 eq 43
+  double alpha = 1, beta = 2;      ///< viscosity; alpha is S12's alpha_v where a switch multiplies it
+  bool subtract_E0 = false;        ///< from the pressure force (S12 eq 18)
+  double alpha_entropy = 1;        ///< S12's alpha_A
+  double alpha_mass = 1;           ///< S12's alpha_m
+  double alpha_min = 0.2;          ///< what the switch decays to (S12 eq 23)
+  double noise = 0.05;             ///< n_s of S12 eq 21
+  double alpha_given = -1;         ///< of every particle; negative: the switch decides
   bool balsara_limits_all = true;  ///< Balsara's factor multiplies every dissipation, not the viscosity alone
   MassCorrection mass_correction = MassCorrection::donor;
-  double h_max = 0;            ///< cap of the support radius
+  double h_max = 0;  ///< cap of the support radius
 };
 
 /// A term is a pure function of two particles' values, `term(sum, i, j, ij)`, which adds its share of the pair to i's

@@ -58,7 +58,8 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
 }
 
 void add_physics(CLI::App& app, Options& o) {
-  shortcut(app, o, "--scheme", "sph.scheme", "NAME", "the scheme: sph, gadget2, tsph, sphs, ... or a label such as SPHS-HCT442 (key sph.scheme)");
+  shortcut(app, o, "--scheme", "sph.scheme", "NAME",
+           "the scheme: sph, gadget2, tsph, sphs, ... or a label such as SPHS-HCT442 (key sph.scheme)");
   shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
   shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
   shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");

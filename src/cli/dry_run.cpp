@@ -36,7 +36,8 @@ int dry_run_command(const Problem& problem) {
   const double bytes = simulation->costs().bytes_per_particle;
   const double snapshots = 1.0 + static_cast<double>(settings.integer("output.snapshots"));
   double steps = trial_steps + std::max(0.0, std::ceil((end - simulation->time()) / dt));
-  if (const auto limit = settings.integer("time.max_steps"); limit > 0) steps = std::min(steps, static_cast<double>(limit));
+  if (const auto limit = settings.integer("time.max_steps"); limit > 0)
+    steps = std::min(steps, static_cast<double>(limit));
   fmt::print("{}: scheme {}, kernel {}, {:g} neighbours, {} precision\n", problem.scene->name(), simulation_keys.scheme,
              simulation_keys.kernel, simulation_keys.neighbours, simulation_keys.precision);
   fmt::print("  particles   {} in {}D\n", particles.size(), particles.dimension);

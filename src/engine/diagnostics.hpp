@@ -133,8 +133,7 @@ std::vector<Field> take_rates(const State<S>& state, bool split) {
   }));
   using Fields = typename S::Fields;
   if constexpr (contains<GradVelocityDivergence, Fields>) {
-    fields.push_back(
-        host.template field<GradVelocityDivergence>("GradVelocityDivergence", "grad(div v)", {-1, 0, -1}));
+    fields.push_back(host.template field<GradVelocityDivergence>("GradVelocityDivergence", "grad(div v)", {-1, 0, -1}));
     fields.push_back(detail::scalar_field(host, "AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {
       double grad2 = 0;
       for (int d = 0; d < D; ++d) grad2 += std::pow(host.template at<GradVelocityDivergence>(i, d), 2);

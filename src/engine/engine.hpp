@@ -147,7 +147,8 @@ class Engine final : public Simulation {
     if (in_step || t_end != block_end_) begin_block(t_end);
     clock.next = first_end(run_);
     clock.dt = static_cast<double>(clock.next - clock.now) * clock.tick;
-    end_of_step_ = clock.next == StepClock::block ? block_end_ : block_begin_ + static_cast<double>(clock.next) * clock.tick;
+    end_of_step_ =
+        clock.next == StepClock::block ? block_end_ : block_begin_ + static_cast<double>(clock.next) * clock.tick;
   }
 
   void begin_block(double t_end) {

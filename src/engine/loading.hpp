@@ -58,7 +58,8 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
     row(Mass{}, 0)[i] = particles.m[i];
     row(Thermal{}, 0)[i] = particles.u[i];
     row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
-    if constexpr (contains<Alpha, typename C::Fields>) row(Alpha{}, 0)[i] = particles.alpha.empty() ? 0 : particles.alpha[i];
+    if constexpr (contains<Alpha, typename C::Fields>)
+      row(Alpha{}, 0)[i] = particles.alpha.empty() ? 0 : particles.alpha[i];
     ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
   }
   Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);

@@ -21,11 +21,29 @@ template <class S>
 inline constexpr double bytes_per_particle = 2.0 * sizeof(double) * Particles<typename S::Layout>::Columns::size + 8 +
                                              2 * 8 + 2 * 12 + sizeof(Bounds<S::dimension>) * (1.0 / 7);
 
-/// Flops of one pair in a step: terms, distances and smoothing kernels of the density loop and of the rates loop.
+/// Flops of one pair inside the support, loop by loop: distance, smoothing kernels, terms.
+inline constexpr int flops_of_distance(int dimension) {
+  return 3 * dimension + 1;
+}
+template <class S>
+inline constexpr double flops_of_search = flops_of_distance(S::dimension) + 2 + S::Kernel::flops + 7;
+template <class S>
+inline constexpr double flops_of_density_terms =
+    S::DensityTerms::List::size == 0 ? 0 : S::Kernel::flops + S::dimension + 5 + S::DensityTerms::flops;
+/// The weight, the basis, one product and addition a moment and two products and an addition a right-hand side.
+template <class S>
+inline constexpr double flops_of_fit = flops_of_distance(S::dimension) + 2 * S::Kernel::flops + 8 + S::dimension +
+                                       3 * Monomials<S::dimension>::basis + 2 * Monomials<S::dimension>::count
+                                       + S::dimension*(2 * Monomials<S::dimension>::basis + 2);
+template <class S>
+inline constexpr double flops_of_rates = flops_of_distance(S::dimension) +
+                                         2 * (S::Kernel::flops + S::dimension + 3) + S::RateTerms::flops + 4;
+
+/// Flops of one pair in a step.
 template <class S>
 constexpr double flops_per_pair() {
-  constexpr int distance = 3 * S::dimension + 3, gradient = S::dimension + 3;
-  return S::DensityTerms::flops + S::RateTerms::flops + 2 * distance + 3 * (S::Kernel::flops + gradient) + 4;
+  constexpr bool fits = contains<GradVelocityDivergence, typename S::Fields>;
+  return flops_of_search<S> + flops_of_density_terms<S> + (fits ? flops_of_fit<S> : 0) + flops_of_rates<S>;
 }
 
 namespace detail {
@@ -119,7 +137,8 @@ Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double tim
   if constexpr (contains<VelocityDivergence, typename L::Fields>)
     fields.push_back(host.template field<VelocityDivergence>("VelocityDivergence", "div v", {0, 0, -1}));
   if constexpr (contains<Alpha, typename L::Fields>)
-    fields.push_back(host.template field<Alpha>("Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {0, 0, 0}));
+    fields.push_back(
+        host.template field<Alpha>("Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {0, 0, 0}));
   if constexpr (contains<Balsara, typename L::Fields>)
     fields.push_back(host.template field<Balsara>("BalsaraFactors", "Balsara factor", {0, 0, 0}));
   return snapshot;
@@ -138,18 +157,19 @@ inline void require_finite(const StepLimit& limit, double time, long step) {
 /// Throws NumericsError where a particle asks for less than the shortest step of the hierarchy.
 inline void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step) {
   if (!clock.individual || limit.dt >= clock.tick) return;
-  throw NumericsError(
-      fmt::format("step {}, t = {}: particle {} asks for a time-step of {:.3g}, below the shortest one, {:.3g}, which is "
-                  "1e-13 of the time between two snapshots. Look at the last snapshot around that particle; more "
-                  "snapshots (output.snapshots) allow shorter steps.",
-                  step, time, limit.particle, limit.dt, clock.tick));
+  throw NumericsError(fmt::format(
+      "step {}, t = {}: particle {} asks for a time-step of {:.3g}, below the shortest one, {:.3g}, which is "
+      "1e-13 of the time between two snapshots. Look at the last snapshot around that particle; more "
+      "snapshots (output.snapshots) allow shorter steps.",
+      step, time, limit.particle, limit.dt, clock.tick));
 }
 
 inline std::vector<std::string> fit_warnings(const FitCounts& counts) {
   if (counts.linear + counts.sph == 0) return {};
-  return {fmt::format("{} fits of the velocity gradients were linear and {} gave way to the SPH estimate: too few "
-                      "neighbours, or on a line or plane; more of them (sph.neighbours) allow second order",
-                      counts.linear, counts.sph)};
+  return {
+      fmt::format("{} fits of the velocity gradients were linear and {} gave way to the SPH estimate: too few "
+                  "neighbours, or on a line or plane; more of them (sph.neighbours) allow second order",
+                  counts.linear, counts.sph)};
 }
 
 inline std::vector<std::string> support_warnings(const SupportCounts& counts) {

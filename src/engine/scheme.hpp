@@ -12,7 +12,9 @@ struct KeptBy {
   using type = List<>;
 };
 template <class P>
-  requires requires { typename P::Keeps; }
+requires requires {
+  typename P::Keeps;
+}
 struct KeptBy<P> {
   using type = typename P::Keeps;
 };
@@ -26,8 +28,8 @@ struct Passes {
 };
 
 /// A scheme: dimension, smoothing kernel, pair arithmetic (float or double), thermal variable, the sums of the density
-/// loop beside n and rho, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not allocated, not
-/// run.
+/// loop beside n and rho, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not
+/// allocated, not run.
 template <int D, class K, class T, class Form, class DensitySums, class Terms, class StepPasses>
 struct Scheme {
   static constexpr int dimension = D;
@@ -38,9 +40,8 @@ struct Scheme {
   using RateTerms = Terms;
   using Steps = StepPasses;
 
-  using Base =
-      List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support, InverseSupport,
-           NumberDensity, NumberDensitySlope, Density>;
+  using Base = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support,
+                    InverseSupport, NumberDensity, NumberDensitySlope, Density>;
   using Known = Union<Base, typename DensityTerms::Adds, typename StepPasses::Writes, typename StepPasses::Keeps>;
   static_assert(is_subset<typename RateTerms::Reads, Known>,
                 "a term reads a field that no pass of this scheme computes: add the pass or the density sum that does");

@@ -29,8 +29,8 @@ struct SimulationSettings {
   bool balsara_limits_all = true;
   bool individual_steps = false;
   bool step_limiter = true;  ///< steps of neighbours stay within a factor 4
-  double h_max = 0;   ///< cap of the support radius; 0: none but the box
-  double max_dt = 0;  ///< 0: no cap
+  double h_max = 0;          ///< cap of the support radius; 0: none but the box
+  double max_dt = 0;         ///< 0: no cap
 };
 
 /// Conserved sums and extremes over all particles, at the current time.

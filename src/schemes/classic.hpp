@@ -6,7 +6,7 @@
 namespace sphk {
 
 using ClassicDensity = TermSet<VelocityDivergenceSum, VelocityCurlSum>;
-using ClassicStep = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, Rates, KickTimeStep,
-                           NextSteps>;
+using ClassicStep =
+    Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, Rates, KickTimeStep, NextSteps>;
 
 }  // namespace sphk

@@ -10,9 +10,9 @@ namespace {
 
 /// Isentropic gas with friction: it settles into a glass, an even arrangement without a preferred direction.
 template <int D, class K, class T>
-struct Glass : Scheme<D, K, T, EntropyForm, TermSet<>,
-                      TermSet<PressureGradientConservative, SignalVelocity>,
-                      Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, GradH, Rates, KickTimeStep, Damping>> {};
+struct Glass
+    : Scheme<D, K, T, EntropyForm, TermSet<>, TermSet<PressureGradientConservative, SignalVelocity>,
+             Passes<KickDrift, SortedCells, SmoothingLength, StateEquation, GradH, Rates, KickTimeStep, Damping>> {};
 
 }  // namespace
 

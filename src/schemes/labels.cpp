@@ -6,7 +6,8 @@
 namespace sphk {
 
 std::optional<KeyValues> keys_of_label(const std::string& text) {
-  static const std::regex label("(SPH|TSPH|SPHS)-(CS|CT|HCT|HOCT[3458]|LIQ|M[56]|WC[246])(-?)([0-9]+)(e?)(-multi)?(-g)?");
+  static const std::regex label(
+      "(SPH|TSPH|SPHS)-(CS|CT|HCT|HOCT[3458]|LIQ|M[56]|WC[246])(-?)([0-9]+)(e?)(-multi)?(-g)?");
   std::smatch part;
   if (!std::regex_match(text, part, label)) return std::nullopt;
   const bool r10 = part[3].length() > 0, morris = part[5].length() > 0;
@@ -16,7 +17,8 @@ std::optional<KeyValues> keys_of_label(const std::string& text) {
   std::string kernel = part[2] == "HCT" ? "HOCT4" : std::string(part[2]);
   for (std::string* name : {&scheme, &kernel})
     std::ranges::transform(*name, name->begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  KeyValues keys{{"sph.scheme", morris ? scheme + "-morris" : scheme}, {"sph.kernel", kernel}, {"sph.neighbours", part[4]}};
+  KeyValues keys{
+      {"sph.scheme", morris ? scheme + "-morris" : scheme}, {"sph.kernel", kernel}, {"sph.neighbours", part[4]}};
   if (part[6].matched) keys.emplace_back("scene.masses", "multi");
   if (part[7].matched) keys.emplace_back("scene.lattice", "glass");
   return keys;

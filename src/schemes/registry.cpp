@@ -18,10 +18,28 @@ namespace {
 const Instantiations& table() {
   static const Instantiations all = [] {
     Instantiations rows;
-    for (const auto source : {sph_entropy_1d, sph_entropy_2d, sph_entropy_3d, sph_energy_1d, sph_energy_2d,
-                              sph_energy_3d, tsph_1d, tsph_2d, tsph_3d, gadget2_1d, gadget2_2d, gadget2_3d, sphs_1d,
-                              sphs_2d, sphs_3d, sphs_multi_1d, sphs_multi_2d, sphs_multi_3d, sphs_conservative_1d,
-                              sphs_conservative_2d, sphs_conservative_3d, glass})
+    for (const auto source : {sph_entropy_1d,
+                              sph_entropy_2d,
+                              sph_entropy_3d,
+                              sph_energy_1d,
+                              sph_energy_2d,
+                              sph_energy_3d,
+                              tsph_1d,
+                              tsph_2d,
+                              tsph_3d,
+                              gadget2_1d,
+                              gadget2_2d,
+                              gadget2_3d,
+                              sphs_1d,
+                              sphs_2d,
+                              sphs_3d,
+                              sphs_multi_1d,
+                              sphs_multi_2d,
+                              sphs_multi_3d,
+                              sphs_conservative_1d,
+                              sphs_conservative_2d,
+                              sphs_conservative_3d,
+                              glass})
       for (Instantiation& row : source()) {
         rows.push_back(row);
         if (row.scheme != "sphs") continue;
@@ -113,15 +131,13 @@ void declare_engine_keys(Settings& settings) {
   settings.declare({"dissipation.mass", 1.0, "alpha_m of mass dissipation, where masses differ (sphs)", {}, 0, 100});
   std::vector<std::string> forms;
   for (const auto& [name, form] : mass_corrections) forms.emplace_back(name);
-  settings.declare({"dissipation.mass_form",
-                    "donor",
-                    "what exchanged mass brings along: the donor's velocity and energy, App. E's flux, or nothing (S12)",
-                    forms});
+  settings.declare(
+      {"dissipation.mass_form", "donor",
+       "what exchanged mass brings along: the donor's velocity and energy, App. E's flux, or nothing (S12)", forms});
   settings.declare({"switch.alpha", -1.0, "alpha of all particles; negative: the switch decides (sphs)", {}, -1, 100});
   settings.declare({"switch.alpha_min", 0.2, "what alpha decays to (S12 eq 23)", {}, 0, 1});
   settings.declare({"switch.noise", 0.05, "n_s of S12 eq 21", {}, 0, 100});
-  settings.declare(
-      {"switch.balsara", "all", "which dissipations Balsara's factor limits", {"all", "viscosity"}});
+  settings.declare({"switch.balsara", "all", "which dissipations Balsara's factor limits", {"all", "viscosity"}});
   settings.declare({"time.steps",
                     "auto",
                     "individual steps of the particles in powers of two, or a global one; auto: individual for sphs",
@@ -176,8 +192,8 @@ SchemeDescription describe(const SimulationSettings& settings, const ParticleSet
   description.kernel = settings.kernel;
   description.tabulated = row.kernel.empty();
   if (row.masses == Masses::equal)
-    description.left_out.push_back(
-        settings.alpha_mass == 0 ? "mass dissipation: dissipation.mass = 0" : "mass dissipation: all masses are equal");
+    description.left_out.push_back(settings.alpha_mass == 0 ? "mass dissipation: dissipation.mass = 0"
+                                                            : "mass dissipation: all masses are equal");
   return description;
 }
 

@@ -14,8 +14,8 @@ namespace sphk {
 template <class... BeforeRates>
 struct SphsPasses {
   template <class... AfterRates>
-  using With = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, BeforeRates..., Gradients,
-                      ConvergenceSwitch, Rates, AfterRates..., KickTimeStep, NextSteps>;
+  using With = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, BeforeRates...,
+                      Gradients, ConvergenceSwitch, Rates, AfterRates..., KickTimeStep, NextSteps>;
 };
 
 /// SPHS (Read & Hayfield 2012): the switch of the fitted velocity gradients drives every dissipation.
@@ -33,9 +33,10 @@ struct SphsMulti
 
 /// With the conservative momentum equation (S12 App. B).
 template <int D, class K, class T>
-struct SphsConservative : Scheme<D, K, T, EntropyForm, TermSet<>,
-                                 TermSet<PressureGradientConservative, ViscositySwitched, EntropyDissipation,
-                                         MassDissipation, SignalVelocity>,
-                                 SphsPasses<GradH>::With<MassExchange>> {};
+struct SphsConservative
+    : Scheme<
+          D, K, T, EntropyForm, TermSet<>,
+          TermSet<PressureGradientConservative, ViscositySwitched, EntropyDissipation, MassDissipation, SignalVelocity>,
+          SphsPasses<GradH>::With<MassExchange>> {};
 
 }  // namespace sphk

@@ -76,19 +76,19 @@ TEST_P(SphsRightHandSide, equals_the_explicit_sums) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, SphsRightHandSide,
-    testing::Values(Case{"equal_masses_3d", "sphs", "hoct4", 3, {9, 9, 9}, 128, true, true},
-                    Case{"donor_3d", "sphs", "hoct4", 3, {9, 8, 9}, 128, true, false},
-                    Case{"donor_3d_open", "sphs", "hoct4", 3, {7, 8, 9}, 96, false, false},
-                    Case{"flux_3d_slab", "sphs", "hoct4", 3, {9, 9, 2}, 128, true, false, MassCorrection::flux},
-                    Case{"particle_3d_table", "sphs", "ct", 3, {9, 8, 9}, 100, true, false, MassCorrection::particle},
-                    Case{"donor_unpaid_2d", "sphs", "hoct4", 2, {14, 12, 1}, 40, true, false,
-                         MassCorrection::donor_unpaid},
-                    Case{"equal_masses_2d_table", "sphs", "wc4", 2, {14, 12, 1}, 36, false, true},
-                    Case{"donor_1d", "sphs", "wc2", 1, {40, 1, 1}, 8, true, false},
-                    Case{"equal_masses_1d", "sphs", "m6", 1, {40, 1, 1}, 9, false, true},
-                    Case{"morris_3d", "sphs-morris", "hoct4", 3, {9, 8, 9}, 128, true, false},
-                    Case{"conservative_3d", "sphs-conservative", "hoct4", 3, {9, 8, 9}, 128, true, false},
-                    Case{"conservative_2d", "sphs-conservative", "wc2", 2, {14, 12, 1}, 40, true, false}),
+    testing::Values(
+        Case{"equal_masses_3d", "sphs", "hoct4", 3, {9, 9, 9}, 128, true, true},
+        Case{"donor_3d", "sphs", "hoct4", 3, {9, 8, 9}, 128, true, false},
+        Case{"donor_3d_open", "sphs", "hoct4", 3, {7, 8, 9}, 96, false, false},
+        Case{"flux_3d_slab", "sphs", "hoct4", 3, {9, 9, 2}, 128, true, false, MassCorrection::flux},
+        Case{"particle_3d_table", "sphs", "ct", 3, {9, 8, 9}, 100, true, false, MassCorrection::particle},
+        Case{"donor_unpaid_2d", "sphs", "hoct4", 2, {14, 12, 1}, 40, true, false, MassCorrection::donor_unpaid},
+        Case{"equal_masses_2d_table", "sphs", "wc4", 2, {14, 12, 1}, 36, false, true},
+        Case{"donor_1d", "sphs", "wc2", 1, {40, 1, 1}, 8, true, false},
+        Case{"equal_masses_1d", "sphs", "m6", 1, {40, 1, 1}, 9, false, true},
+        Case{"morris_3d", "sphs-morris", "hoct4", 3, {9, 8, 9}, 128, true, false},
+        Case{"conservative_3d", "sphs-conservative", "hoct4", 3, {9, 8, 9}, 128, true, false},
+        Case{"conservative_2d", "sphs-conservative", "wc2", 2, {14, 12, 1}, 40, true, false}),
     [](const auto& info) { return info.param.name; });
 
 /// v = a + B x + x C x on random places: div v = tr B + sum_k 2 (C^c_kc) x, and its gradient, are exact.

@@ -52,7 +52,8 @@ TEST(SphsRun, exchanged_mass_is_conserved_to_rounding) {
 /// Two runs of 5 steps, one in a box that moves at 20: velocities apart from the boost, masses and energies must agree
 /// to the rounding of positions and velocities (1e-15 of 20, over steps that amplify it a little).
 TEST(SphsRun, a_boost_changes_nothing_with_the_donors_correction) {
-  const Snapshot rest = after_steps(unequal_gas(0), in_double(), 5), moving = after_steps(unequal_gas(20), in_double(), 5);
+  const Snapshot rest = after_steps(unequal_gas(0), in_double(), 5),
+                 moving = after_steps(unequal_gas(20), in_double(), 5);
   EXPECT_LT(largest_difference(rest.field("InternalEnergies"), moving.field("InternalEnergies")), 1e-10);
   EXPECT_LT(largest_difference(rest.field("Masses"), moving.field("Masses")), 1e-12);
 }

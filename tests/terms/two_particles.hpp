@@ -4,12 +4,12 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/pair.hpp"
-#include "kernels/terms/velocity_gradient.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_sph.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
 #include "kernels/terms/pressure_work.hpp"
 #include "kernels/terms/signal_velocity.hpp"
+#include "kernels/terms/velocity_gradient.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "kernels/terms/viscosity_signal_velocity.hpp"
 #include "kernels/terms/zeroth_order_error.hpp"
@@ -17,8 +17,8 @@
 namespace sphk::test {
 
 /// Every field that a pair term reads.
-using Everything = List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density, InverseDensity, Pressure,
-                        PressureOverDensity2, GradHMass, SoundSpeed, Balsara>;
+using Everything = List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density,
+                        InverseDensity, Pressure, PressureOverDensity2, GradHMass, SoundSpeed, Balsara>;
 
 template <class T, int D>
 using Particle = Values<T, D, Everything>;
