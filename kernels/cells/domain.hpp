@@ -42,8 +42,9 @@ struct Bounds {
     double sum = 0;
     for (int d = 0; d < D; ++d) {
       const double above = b.lo[d] + shift[d] - hi[d], below = lo[d] - b.hi[d] - shift[d];
-      const double gap = above > below ? above : below;
-      if (gap > 0) sum += gap * gap;
+      double gap = above > below ? above : below;  // no branches: they would be guesses
+      gap = gap > 0 ? gap : 0;
+      sum += gap * gap;
     }
     return sum;
   }

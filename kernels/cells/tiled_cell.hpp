@@ -47,11 +47,8 @@ class TiledCell {
   const Bounds<D>& sub_bounds(int sub_cell) const { return sub_bounds_[sub_cell - first_sub_cell()]; }
   int first_sub_cell() const { return cell_ * fan_out; }
   int last_sub_cell() const { return sphk::min(first_sub_cell() + fan_out, tree_.count(0)); }
-  bool has_targets(int sub_cell) const {
-    return targets_ >> ((sub_cell - first_sub_cell()) * sub_cell_size) & ((1u << sub_cell_size) - 1);
-  }
+  bool has_targets(int sub_cell) const { return targets_of(sub_cell) != 0; }
   const Frame<D>& frame() const { return frame_; }
-  const CellTile& candidates() const { return sub_; }
   const Neighbours& neighbours() const { return list_; }
 
   /// Collects what comes within `reach` of the targets and calls flush(whole) each time the tile is full and at the
@@ -74,8 +71,11 @@ class TiledCell {
     flush(whole);
   }
 
-  /// Makes candidates() those of the collected ones that come within `reach` of the sub-cell's targets.
+  /// Makes candidates those of the collected ones that come within `reach` of the sub-cell's targets; for one or two
+  /// targets that does not pay, and all collected ones stay candidates.
   void select(int sub_cell, double reach) {
+    candidates_ = near_;
+    if (std::popcount(targets_of(sub_cell)) <= 2) return;
     const Bounds<D>& b = sub_bounds(sub_cell);
     T centre[D], half[D];
     for (int d = 0; d < D; ++d) {
@@ -97,14 +97,15 @@ class TiledCell {
       to += chosen.count();
     }
     sub_.count = static_cast<int>(to - sub_.data);
+    candidates_ = sub_;
   }
 
   /// Makes neighbours() those of the candidates with r < reach from x, or r < h_j where pairs are symmetric, filled up
   /// to whole packs with neighbours out of reach.
   void list(const Vec<Pack, D>& x, double reach) {
     const Pack reach2 = static_cast<T>(reach * reach);
-    T *const from = sub_.data, *to = list_.data;
-    const int n = sub_.count;
+    T *const from = candidates_.data, *to = list_.data;
+    const int n = candidates_.count;
     for (int k = 0; k < n; k += width) {
       Vec<Pack, D> r_ij;
       for (int d = 0; d < D; ++d) r_ij[d] = x[d] - load_row<Position>(from, k, d);
@@ -114,7 +115,9 @@ class TiledCell {
         const Pack h_inv = load_row<InverseSupport>(from, k);
         bits |= mask_bits(r2 * h_inv * h_inv < Pack(T(1)));
       }
-      const Compress<Pack> chosen(bits & first_lanes(n - k));
+      bits &= first_lanes(n - k);
+      if (bits == 0) continue;
+      const Compress<Pack> chosen(bits);
       for (int d = 0; d < D; ++d) chosen.store(list_row<Separation>(to, d), r_ij[d]);
       chosen.store(list_row<Distance2>(to), r2);
       for_each_type(NeighbourFields<FieldList>{}, [&]<class F>() {
@@ -136,6 +139,9 @@ class TiledCell {
   /// page after the candidates that it is made of: while it falls behind them, the two stay apart.
   static constexpr std::size_t page = 4096;
 
+  unsigned targets_of(int sub_cell) const {
+    return targets_ >> ((sub_cell - first_sub_cell()) * sub_cell_size) & ((1u << sub_cell_size) - 1);
+  }
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
   template <class F>
@@ -226,7 +232,7 @@ class TiledCell {
   Frame<D> frame_;
   Bounds<D> bounds_, sub_bounds_[fan_out];
   double reach_ = 0;
-  CellTile near_, sub_;
+  CellTile near_, sub_, candidates_;
   Neighbours list_;
 };
 

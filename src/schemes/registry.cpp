@@ -38,8 +38,7 @@ const Instantiations& table() {
                               sphs_multi_3d,
                               sphs_conservative_1d,
                               sphs_conservative_2d,
-                              sphs_conservative_3d,
-                              glass})
+                              sphs_conservative_3d, sphs_rt, glass})
       for (Instantiation& row : source()) {
         rows.push_back(row);
         if (row.scheme != "sphs") continue;

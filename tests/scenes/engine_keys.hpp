@@ -29,7 +29,7 @@ template <class F>
 Snapshot snapshot_of(const ParticleSet& gas, double time, F&& state) {
   Snapshot snapshot{.dimension = gas.dimension, .box = gas.box, .time = time};
   Field x{.name = "Coordinates", .components = 3}, v{.name = "Velocities", .components = 3};
-  Field rho{.name = "Densities"}, P{.name = "Pressures"};
+  Field rho{.name = "Densities"}, P{.name = "Pressures"}, m{.name = "Masses"};
   for (std::size_t i = 0; i < gas.size(); ++i) {
     const GasState here = state(gas.x[i]);
     snapshot.id.push_back(i + 1);
@@ -37,8 +37,9 @@ Snapshot snapshot_of(const ParticleSet& gas, double time, F&& state) {
     v.values.insert(v.values.end(), here.v.begin(), here.v.end());
     rho.values.push_back(here.rho);
     P.values.push_back(here.P);
+    m.values.push_back(here.rho / static_cast<double>(gas.size()));  // of even cells of a unit box
   }
-  snapshot.fields = {x, v, rho, P};
+  snapshot.fields = {x, v, rho, P, m};
   return snapshot;
 }
 

@@ -1,0 +1,25 @@
+#include "kernels/passes/rt_pressure.hpp"
+#include "src/schemes/instantiate.hpp"
+#include "src/schemes/sphs.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// SPHS with the RT pressure (S12 App. A), the negative control: smooth pressures cost the kernel its sampling where
+/// entropies differ much.
+template <int D, class K, class T>
+struct SphsRt : Scheme<D, K, T, EntropyForm, TermSet<>,
+                       TermSet<PressureGradientTsph, ViscositySwitched, EntropyDissipation, SignalVelocity>,
+                       SphsPasses<RtPressure>::With<>> {};
+
+}  // namespace
+
+Instantiations sphs_rt() {
+  Instantiations rows = instantiate<SphsRt, 3>("sphs-rt", "entropy", List<Hoct<4>>{});
+  for (Instantiation& row : instantiate<SphsRt, 2>("sphs-rt", "entropy", List<>{})) rows.push_back(row);
+  for (Instantiation& row : instantiate<SphsRt, 1>("sphs-rt", "entropy", List<>{})) rows.push_back(row);
+  return rows;
+}
+
+}  // namespace sphk
