@@ -18,13 +18,22 @@ class PointExplosion final : public Explosion {
   std::string summary() const override { return "all energy in one particle of cold gas (Saitoh & Makino)"; }
 
   void declare(Settings& settings) const override {
-    prefer_unless_set(settings, "sph.scheme", "sphs");
+    // A scheme that conserves energy, and a kernel without noise: what is tested are the time-steps.
+    prefer_unless_set(settings, "sph.scheme", "gadget2");
+    prefer_unless_set(settings, "time.steps", "individual");
     Explosion::declare(settings);
     settings.declare({.name = "scene.ambient",
                       .value = 1e-6,
                       .doc = "specific thermal energy u of the gas at rest",
                       .choices = {},
                       .min = 1e-300});
+  }
+  void adapt(Settings& settings) const override {
+    Explosion::adapt(settings);
+    if (settings.has("sph.scheme") && settings.text("sph.scheme") == "gadget2" && scene_dimension(settings) == 3) {
+      prefer_unless_set(settings, "sph.kernel", "wc4");
+      prefer_unless_set(settings, "sph.neighbours", 200.0);
+    }
   }
 
  protected:
