@@ -71,6 +71,21 @@ class TiledCell {
     flush(whole);
   }
 
+  /// Calls visit(i) for every target with candidates that reach as far as its sub-cell's supports; several times where
+  /// the tile does not hold all there is.
+  template <class Visit>
+  void for_each_target(const Bounds<D>& all, Visit&& visit) {
+    collect(all, bounds_.h_max, [&](bool) {
+      for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
+        if (!has_targets(s)) continue;
+        select(s, sub_bounds(s).h_max);
+        const int from = s * sub_cell_size, to = sphk::min(from + sub_cell_size, tree_.n);
+        for (int i = from; i < to; ++i)
+          if (is_target(i)) visit(i);
+      }
+    });
+  }
+
   /// Makes candidates those of the collected ones that come within `reach` of the sub-cell's targets; for one or two
   /// targets that does not pay, and all collected ones stay candidates.
   void select(int sub_cell, double reach) {

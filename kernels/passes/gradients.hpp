@@ -34,15 +34,8 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     Cell cell = Base::cell_of(team);
     double sums[cell_size / batch][sums_size][batch] = {};
     const int begin = cell.begin();
-    cell.collect(root(state.tree), cell.bounds().h_max, [&](bool) {
-      for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s) {
-        if (!cell.has_targets(s)) continue;
-        cell.select(s, cell.sub_bounds(s).h_max);
-        const int from = s * sub_cell_size, to = min(from + sub_cell_size, state.n);
-        for (int i = from; i < to; ++i)
-          if (cell.is_target(i)) add_sums(cell, i, &sums[(i - begin) / batch][0][(i - begin) % batch]);
-      }
-    });
+    cell.for_each_target(root(state.tree),
+                         [&](int i) { add_sums(cell, i, &sums[(i - begin) / batch][0][(i - begin) % batch]); });
     for (int first = begin; first < cell.end(); first += batch) {
       Solver fit;
       const auto quality = solve(fit, &sums[(first - begin) / batch][0][0]);

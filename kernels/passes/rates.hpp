@@ -54,15 +54,7 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
     Sums sums[cell_size];
     const int begin = cell.begin(), n = cell.end() - begin;
     for (int k = 0; k < n; ++k) set_zero(sums[k]);
-    cell.collect(root(state.tree), cell.bounds().h_max, [&](bool) {
-      for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s) {
-        if (!cell.has_targets(s)) continue;
-        cell.select(s, cell.sub_bounds(s).h_max);
-        const int from = s * sub_cell_size, to = min(from + sub_cell_size, state.n);
-        for (int i = from; i < to; ++i)
-          if (cell.is_target(i)) add_sums(cell, i, sums[i - begin]);
-      }
-    });
+    cell.for_each_target(root(state.tree), [&](int i) { add_sums(cell, i, sums[i - begin]); });
     for (int k = 0; k < n; ++k)
       if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
   }

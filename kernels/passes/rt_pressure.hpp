@@ -56,15 +56,7 @@ struct SumRtPressure : PairLoop<S, List<Position, InverseSupport, Mass, EntropyR
     Cell cell = Base::cell_of(team);
     double sums[cell_size] = {};
     const int begin = cell.begin();
-    cell.collect(root(state.tree), cell.bounds().h_max, [&](bool) {
-      for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s) {
-        if (!cell.has_targets(s)) continue;
-        cell.select(s, cell.sub_bounds(s).h_max);
-        const int from = s * sub_cell_size, to = min(from + sub_cell_size, state.n);
-        for (int i = from; i < to; ++i)
-          if (cell.is_target(i)) sums[i - begin] += sum_of(cell, i);
-      }
-    });
+    cell.for_each_target(root(state.tree), [&](int i) { sums[i - begin] += sum_of(cell, i); });
     for (int i = begin; i < cell.end(); ++i)
       if (cell.is_target(i)) store_sum(i, sums[i - begin]);
   }
