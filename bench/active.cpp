@@ -1,4 +1,6 @@
-// Cost of an update where only some particles are active, scattered at random.
+// Cost of an update where only some particles are active.
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "bench/measure.hpp"
@@ -16,9 +18,26 @@ void run_passes(Run<S>& run, Passes<P...>) {
   (P::run(run), ...);
 }
 
+/// Which particles are active: one of `every`, scattered at random, or all in a ball, as steps of the particles' own
+/// have them, which change by a factor 4 at most from one neighbour to the next.
+enum class Where { scattered, ball };
+
+std::vector<bool> choose_active(const Run<S>& run, double every, Where where) {
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double radius = std::cbrt(3 / (4 * std::numbers::pi * every));
+  std::vector<bool> active(run.state.n);
+  for (int i = 0; i < run.state.n; ++i) {
+    double r2 = 0;
+    for (int d = 0; d < 3; ++d) r2 += std::pow(run.state.at<Position>(i, d) - 0.5, 2);
+    active[i] = every == 1 || (where == Where::scattered ? unit(engine) * every < 1 : r2 < radius * radius);
+  }
+  return active;
+}
+
 /// A whole sub-step of SPHS-442 with one of `every` particles active: all are drifted and predicted, the active ones
 /// are computed, kicked and get new steps.
-void active_step(benchmark::State& state) {
+void active_step(benchmark::State& state, Where where) {
   SimulationSettings settings;
   settings.neighbours = 442;
   settings.individual_steps = true;
@@ -27,10 +46,7 @@ void active_step(benchmark::State& state) {
   auto& clock = run.state.clock;
   clock.tick = 1e-20;  // nothing moves: every sub-step is the same
   run_passes(run, S::Steps{});
-  std::mt19937_64 engine(1);
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<bool> active(run.state.n);
-  for (int i = 0; i < run.state.n; ++i) active[i] = unit(engine) * static_cast<double>(state.range(0)) < 1;
+  const std::vector<bool> active = choose_active(run, static_cast<double>(state.range(0)), where);
   double updates = 0;
   for (auto _ : state) {
     state.PauseTiming();
@@ -46,7 +62,14 @@ void active_step(benchmark::State& state) {
   report(state, updates / static_cast<double>(state.iterations()), 0, 0, true);
 }
 
-BENCHMARK(active_step)->Arg(1)->Arg(3)->Arg(10)->Arg(30)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(active_step, all, Where::ball)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(active_step, ball, Where::ball)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(active_step, scattered, Where::scattered)
+    ->Arg(3)
+    ->Arg(10)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace sphk::bench

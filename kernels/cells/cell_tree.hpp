@@ -2,6 +2,7 @@
 
 #include "kernels/cells/domain.hpp"
 #include "kernels/core/columns.hpp"
+#include "kernels/core/compress.hpp"
 
 namespace sphk {
 
@@ -9,15 +10,18 @@ inline constexpr int cell_size = 64;  ///< particles of a cell: 8 sub-cells
 inline constexpr int fan_out = 8;     ///< children of a node
 inline constexpr int max_levels = 12;
 
+/// Pair loops run over tiles on the host and with one thread per particle on a GPU.
+inline constexpr bool tiles_pay = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
+
 /// Bounding boxes over sorted particles. A node of level l covers the particles [k 8^(l+1), (k+1) 8^(l+1)): level 0 are
 /// sub-cells, level 1 cells, and so on up to a top level of at most 8 nodes. The order of the particles makes them
 /// compact.
 template <int D>
-struct CellTree {
+class CellTree {
+ public:
   int n = 0;
   int levels = 0;
-  int first[max_levels + 1] = {};  ///< where each level starts in `nodes`
-  Kokkos::View<Bounds<D>*, MemorySpace> nodes;
+  int first[max_levels + 1] = {};            ///< where each level starts among the nodes
   Kokkos::View<Bounds<D>, MemorySpace> all;  ///< where bounds_of_all() puts its result
   Domain<D> domain{};
 
@@ -31,13 +35,50 @@ struct CellTree {
       count = (count + fan_out - 1) / fan_out;
     }
     first[levels] = total;
-    nodes = Kokkos::View<Bounds<D>*, MemorySpace>("cell tree", total);
+    nodes_ = Kokkos::View<double* [2 * D + 1], Kokkos::LayoutLeft, MemorySpace>("cell tree", total + fan_out);
     all = Kokkos::View<Bounds<D>, MemorySpace>("cell tree, all");
   }
 
   KOKKOS_INLINE_FUNCTION int count(int level) const { return first[level + 1] - first[level]; }
   KOKKOS_INLINE_FUNCTION int cells() const { return (n + cell_size - 1) / cell_size; }
-  KOKKOS_INLINE_FUNCTION const Bounds<D>& node(int level, int k) const { return nodes(first[level] + k); }
+  KOKKOS_INLINE_FUNCTION Bounds<D> node(int level, int k) const {
+    const int at = first[level] + k;
+    Bounds<D> b;
+    for (int d = 0; d < D; ++d) b.lo[d] = nodes_(at, d), b.hi[d] = nodes_(at, D + d);
+    b.h_max = nodes_(at, 2 * D);
+    return b;
+  }
+  KOKKOS_INLINE_FUNCTION void set_node(int level, int k, const Bounds<D>& b) const {
+    const int at = first[level] + k;
+    for (int d = 0; d < D; ++d) nodes_(at, d) = b.lo[d], nodes_(at, D + d) = b.hi[d];
+    nodes_(at, 2 * D) = b.h_max;
+  }
+
+  /// A bit for each of the 8 nodes from `begin` on: does its box, moved by `shift`, come nearer to `target` than
+  /// reach(h_max)?
+  template <class Reach>
+  KOKKOS_INLINE_FUNCTION unsigned near(int level, int begin, const Bounds<D>& target, const double* shift,
+                                       const Reach& reach) const {
+    constexpr int width = tiles_pay ? native_lanes<double> : 1;
+    using P = simd<double, width>;
+    const int count = min(fan_out, this->count(level) - begin);
+    unsigned bits = 0;
+    for (int k = 0; k < fan_out; k += width) {
+      const auto row = [&](int component) { return load<P>(&nodes_(first[level] + begin + k, component)); };
+      P distance2 = P(0.0);
+      for (int d = 0; d < D; ++d) {
+        const P above = row(d) - P(target.hi[d] - shift[d]), below = P(target.lo[d] - shift[d]) - row(D + d);
+        const P gap = sphk::max(sphk::max(above, below), P(0.0));
+        distance2 = distance2 + gap * gap;
+      }
+      const P distance = reach(row(2 * D));
+      bits |= mask_bits(distance2 < distance * distance) << k;
+    }
+    return bits & ((1u << count) - 1);
+  }
+
+ private:
+  Kokkos::View<double* [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
 };
 
 namespace detail {
@@ -55,7 +96,7 @@ struct FitSubCells {
     }
     const double* h = columns.template row<Support>();
     for (int i = begin; i < end; ++i) b.h_max = max(b.h_max, h[i]);
-    tree.nodes(tree.first[0] + k) = b;
+    tree.set_node(0, k, b);
   }
 };
 
@@ -67,7 +108,7 @@ struct FitLevel {
     const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
     Bounds<D> b = tree.node(level - 1, begin);
     for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
-    tree.nodes(tree.first[level] + k) = b;
+    tree.set_node(level, k, b);
   }
 };
 
@@ -111,32 +152,30 @@ Bounds<D> bounds_of_all(const CellTree<D>& tree) {
 }
 
 /// Calls `visit(sub_cell, shift)` for every sub-cell, in every periodic image, whose box comes nearer to `target` than
-/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side. Leaves out
-/// what is below a node for which `skip(level, k)` holds.
+/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side; `reach` takes
+/// one h_max or a pack of them. Leaves out what is below a node for which `skip(level, k)` holds.
 template <int D, class Reach, class Visit, class Skip>
 KOKKOS_INLINE_FUNCTION void walk_image(const CellTree<D>& tree, const Bounds<D>& target, const double* shift,
                                        const Reach& reach, Visit&& visit, const Skip& skip) {
-  struct Range {
-    int next, end;
-  };
-  Range stack[max_levels];
+  unsigned hits[max_levels];  // of the 8 nodes from begin[] on: those still to be gone into
+  int begin[max_levels];
   int level = tree.levels - 1;
-  stack[level] = {0, tree.count(level)};
+  begin[level] = 0;
+  hits[level] = tree.near(level, 0, target, shift, reach);
   while (level < tree.levels) {
-    if (stack[level].next == stack[level].end) {
+    if (hits[level] == 0) {
       ++level;
       continue;
     }
-    const int k = stack[level].next++;
-    const Bounds<D>& node = tree.node(level, k);
-    const double distance = reach(node.h_max);
-    if (target.distance2(node, shift) >= distance * distance || skip(level, k)) continue;
+    const int k = begin[level] + lowest_bit(hits[level]);
+    hits[level] &= hits[level] - 1;
+    if (skip(level, k)) continue;
     if (level == 0) {
       visit(k, shift);
     } else {
       --level;
-      const int begin = k * fan_out;
-      stack[level] = {begin, min(begin + fan_out, tree.count(level))};
+      begin[level] = k * fan_out;
+      hits[level] = tree.near(level, begin[level], target, shift, reach);
     }
   }
 }

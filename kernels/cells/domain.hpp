@@ -37,17 +37,6 @@ struct Bounds {
     }
     h_max = b.h_max > h_max ? b.h_max : h_max;
   }
-  /// Squared distance between this box and b shifted by `shift`.
-  KOKKOS_INLINE_FUNCTION double distance2(const Bounds& b, const double* shift) const {
-    double sum = 0;
-    for (int d = 0; d < D; ++d) {
-      const double above = b.lo[d] + shift[d] - hi[d], below = lo[d] - b.hi[d] - shift[d];
-      double gap = above > below ? above : below;  // no branches: they would be guesses
-      gap = gap > 0 ? gap : 0;
-      sum += gap * gap;
-    }
-    return sum;
-  }
 };
 
 }  // namespace sphk

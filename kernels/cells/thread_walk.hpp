@@ -23,7 +23,10 @@ struct ThreadWalk {
   KOKKOS_INLINE_FUNCTION void for_each(int i, double reach, Visit&& visit) const {
     const Bounds<D> here = point(columns, i);
     const Frame<D> frame = Frame<D>::of(here, columns, i);
-    const auto reach_with = [=](double h) { return mode == Reach::symmetric ? max(reach, h) : reach; };
+    const auto reach_with = [=](const auto& h) {
+      using P = std::remove_cvref_t<decltype(h)>;
+      return mode == Reach::symmetric ? sphk::max(P(reach), h) : P(reach);
+    };
     walk(tree, root(tree), here, reach_with, [&](int sub_cell, const double* shift) {
       const Frame<D> image = frame.shifted(shift);
       const int j0 = sub_cell * sub_cell_size, end = min(j0 + sub_cell_size, tree.n);

@@ -47,7 +47,8 @@ class TiledCell {
   const Bounds<D>& sub_bounds(int sub_cell) const { return sub_bounds_[sub_cell - first_sub_cell()]; }
   int first_sub_cell() const { return cell_ * fan_out; }
   int last_sub_cell() const { return sphk::min(first_sub_cell() + fan_out, tree_.count(0)); }
-  bool has_targets(int sub_cell) const { return targets_of(sub_cell) != 0; }
+  /// Are any of the `count` particles from i on targets?
+  bool has_targets(int i, int count) const { return targets_of(i, count) != 0; }
   const Frame<D>& frame() const { return frame_; }
   const Neighbours& neighbours() const { return list_; }
 
@@ -59,7 +60,7 @@ class TiledCell {
     reach_ = reach;
     bool whole = true;
     walk(
-        tree_, all, bounds(), [&](double h) { return reach_with(h); },
+        tree_, all, bounds(), [&](const auto& h) { return reach_with(h); },
         [&](int sub_cell, const double* shift) {
           if (near_.count + sub_cell_size > CellTile::capacity - width) {
             whole = false;
@@ -77,9 +78,9 @@ class TiledCell {
   void for_each_target(const Bounds<D>& all, Visit&& visit) {
     collect(all, bounds_.h_max, [&](bool) {
       for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
-        if (!has_targets(s)) continue;
-        select(s, sub_bounds(s).h_max);
         const int from = s * sub_cell_size, to = sphk::min(from + sub_cell_size, tree_.n);
+        if (!has_targets(from, sub_cell_size)) continue;
+        select(s, sub_bounds(s).h_max);
         for (int i = from; i < to; ++i)
           if (is_target(i)) visit(i);
       }
@@ -90,7 +91,7 @@ class TiledCell {
   /// targets that does not pay, and all collected ones stay candidates.
   void select(int sub_cell, double reach) {
     candidates_ = near_;
-    if (std::popcount(targets_of(sub_cell)) <= 2) return;
+    if (std::popcount(targets_of(sub_cell * sub_cell_size, sub_cell_size)) <= 2) return;
     const Bounds<D>& b = sub_bounds(sub_cell);
     T centre[D], half[D];
     for (int d = 0; d < D; ++d) {
@@ -154,8 +155,8 @@ class TiledCell {
   /// page after the candidates that it is made of: while it falls behind them, the two stay apart.
   static constexpr std::size_t page = 4096;
 
-  unsigned targets_of(int sub_cell) const {
-    return targets_ >> ((sub_cell - first_sub_cell()) * sub_cell_size) & ((1u << sub_cell_size) - 1);
+  TargetMask targets_of(int i, int count) const {
+    return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1);
   }
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
@@ -168,7 +169,10 @@ class TiledCell {
     return list + Neighbours::template offset<F>(component);
   }
 
-  double reach_with(double h) const { return mode == Reach::symmetric ? sphk::max(reach_, h) : reach_; }
+  template <class P>
+  P reach_with(const P& h) const {
+    return mode == Reach::symmetric ? sphk::max(P(reach_), h) : P(reach_);
+  }
 
   void bound_targets() {
     bounds_ = tree_.node(1, cell_);

@@ -9,7 +9,7 @@ namespace sphk {
 
 /// One bit a lane: lane 0 is the lowest.
 template <class M>
-inline unsigned mask_bits(const M& mask) {
+KOKKOS_FORCEINLINE_FUNCTION unsigned mask_bits(const M& mask) {
   if constexpr (std::is_same_v<M, bool>) {
     return mask;
 #if defined(KOKKOS_ARCH_AVX512XEON)
@@ -27,6 +27,11 @@ inline unsigned mask_bits(const M& mask) {
 #else
   }
 #endif
+}
+
+/// The number of the lowest bit of a mask that has one.
+KOKKOS_FORCEINLINE_FUNCTION int lowest_bit(unsigned bits) {
+  return Kokkos::countr_zero(bits);
 }
 
 #if defined(KOKKOS_ARCH_AVX2) && !defined(KOKKOS_ARCH_AVX512XEON)

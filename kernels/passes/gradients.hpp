@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/core/polynomial.hpp"
 #include "kernels/passes/pair_loop.hpp"
 #include "kernels/passes/run.hpp"
@@ -32,11 +34,14 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
 
   KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, FitCounts& counts) const {
     Cell cell = Base::cell_of(team);
-    double sums[cell_size / batch][sums_size][batch] = {};
+    double sums[cell_size / batch][sums_size][batch];
     const int begin = cell.begin();
+    for (int first = begin; first < cell.end(); first += batch)
+      if (cell.has_targets(first, batch)) std::fill_n(&sums[(first - begin) / batch][0][0], sums_size * batch, 0.0);
     cell.for_each_target(root(state.tree),
                          [&](int i) { add_sums(cell, i, &sums[(i - begin) / batch][0][(i - begin) % batch]); });
     for (int first = begin; first < cell.end(); first += batch) {
+      if (!cell.has_targets(first, batch)) continue;
       Solver fit;
       const auto quality = solve(fit, &sums[(first - begin) / batch][0][0]);
       for (int lane = 0; lane < batch && first + lane < cell.end(); ++lane)

@@ -85,7 +85,8 @@ struct CapSteps {
       if (state.clock.begin(i) == start) box.include(point(state.columns, i)), here.include(length(i));
     if (here.longest == 0) return;
     walk(
-        state.tree, root(state.tree), box, [&](double h) { return max(box.h_max, h); },
+        state.tree, root(state.tree), box,
+        [&](const auto& h) { return sphk::max(std::remove_cvref_t<decltype(h)>(box.h_max), h); },
         [&](int other, const double* shift) {
           for (int i = from; i < to; ++i)
             if (state.clock.begin(i) == start) cap_neighbours(i, other, shift);
@@ -159,44 +160,42 @@ struct FirstEnd {
   KOKKOS_INLINE_FUNCTION void operator()(int i, Ticks& first) const { first = min(first, clock.end(i)); }
 };
 
-template <class S>
-void limit_steps(Run<S>& run, Ticks start) {
-  using L = typename S::Layout;
-  const auto& tree = run.state.tree;
+template <class L>
+void limit_steps(const Particles<L>& state, const Schedule& schedule, Ticks start) {
+  const auto& tree = state.tree;
   for (int changed = 1; changed > 0;) {
     for (int level = 0; level < tree.levels; ++level)
       Kokkos::parallel_for("ranges of steps", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
-                           FitRanges<L>{run.state, run.schedule.ranges, level});
+                           FitRanges<L>{state, schedule.ranges, level});
     Kokkos::parallel_for("cap steps", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(0)),
-                         CapSteps<L>{run.state, run.schedule.ranges, run.schedule.caps, start});
-    Kokkos::parallel_reduce("apply caps", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            ApplyCaps<L>{run.state, run.schedule.caps, start}, Kokkos::Max<int>(changed));
+                         CapSteps<L>{state, schedule.ranges, schedule.caps, start});
+    Kokkos::parallel_reduce("apply caps", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
+                            ApplyCaps<L>{state, schedule.caps, start}, Kokkos::Max<int>(changed));
   }
 }
 
 }  // namespace detail
 
 /// Gives the active particles steps that begin at `start`, and keeps neighbours within a factor 4 of each other.
-template <class S>
-void assign_steps(Run<S>& run, Ticks start) {
-  Kokkos::parallel_for("assign steps", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                       detail::AssignSteps<typename S::Layout>{run.state, start, run.schedule.longest});
-  if (run.schedule.limiter) detail::limit_steps(run, start);
+template <class L>
+void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks start) {
+  Kokkos::parallel_for("assign steps", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
+                       detail::AssignSteps<L>{state, start, schedule.longest});
+  if (schedule.limiter) detail::limit_steps(state, schedule, start);
 }
 
 /// Brings all particles in step in the midst of a block; a new block may begin.
-template <class S>
-void wake_all(Run<S>& run) {
-  Kokkos::parallel_for("wake all", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                       detail::CutShort<typename S::Layout>{run.state});
+template <class L>
+void wake_all(const Particles<L>& state) {
+  Kokkos::parallel_for("wake all", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::CutShort<L>{state});
 }
 
 /// The tick at which the next steps end.
-template <class S>
-Ticks first_end(const Run<S>& run) {
+template <class L>
+Ticks first_end(const Particles<L>& state) {
   Ticks first = StepClock::block;
-  Kokkos::parallel_reduce("first end", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                          detail::FirstEnd<typename S::Layout>{run.state.clock}, Kokkos::Min<Ticks>(first));
+  Kokkos::parallel_reduce("first end", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
+                          detail::FirstEnd<L>{state.clock}, Kokkos::Min<Ticks>(first));
   return first;
 }
 
@@ -227,7 +226,7 @@ struct NextSteps {
     StepClock& clock = run.state.clock;
     if (!clock.individual) return;
     clock.now = clock.next;
-    if (clock.now > 0 && clock.now < StepClock::block) assign_steps(run, clock.now);
+    if (clock.now > 0 && clock.now < StepClock::block) assign_steps(run.state, run.schedule, clock.now);
   }
 };
 

@@ -9,9 +9,6 @@
 
 namespace sphk {
 
-/// Pair loops run over tiles on the host and with one thread per particle on a GPU.
-inline constexpr bool tiles_pay = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible;
-
 /// What the particles of a scheme are: dimension, fields, thermal variable. Schemes that differ only in smoothing
 /// kernel or pair arithmetic share a layout, and all code that knows no more of them.
 template <int D, class FieldList, class Form>

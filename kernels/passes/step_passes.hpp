@@ -17,24 +17,26 @@ struct SortedCells {
   using Writes = List<>;
   template <class S>
   static void run(Run<S>& run) {
-    auto& state = run.state;
+    sort(run.state, run.sorter, run.schedule, run.step);
+  }
+
+ private:
+  template <class L, class Sorter>
+  static void sort(Particles<L>& state, Sorter& sorter, Schedule& schedule, long step) {
     fit(state.tree, state.columns);
     const auto all = bounds_of_all(state.tree);
-    auto& schedule = run.schedule;
-    auto& clock = state.clock;
+    StepClock& clock = state.clock;
     const bool due = clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n)
-                                      : run.step % sort_interval == 0;
+                                      : step % sort_interval == 0;
     if (!due && !strayed(state.tree.domain, all)) return;
-    run.sorter(state.columns, state.ids, state.tree.domain, all);
+    sorter(state.columns, state.ids, state.tree.domain, all);
     if (clock.individual) {
-      run.sorter.permute(clock.begin, schedule.other);
-      run.sorter.permute(clock.end, schedule.other);
+      sorter.permute(clock.begin, schedule.other);
+      sorter.permute(clock.end, schedule.other);
       schedule.updates_since_sort = 0;
     }
     fit(state.tree, state.columns);
   }
-
- private:
   template <int D>
   static bool strayed(const Domain<D>& domain, const Bounds<D>& all) {
     for (int d = 0; d < D; ++d) {

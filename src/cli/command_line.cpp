@@ -63,9 +63,11 @@ void add_physics(CLI::App& app, Options& o) {
   shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
   shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
   shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
-  app.add_option("--set", o.sets, "set any key of the scene file; may be given several times")
+  app.add_option("--set", o.sets, "set a key of the scene file; once for each key")
       ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->type_size(1)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_threads(CLI::App& app, Options& o) {
@@ -95,11 +97,13 @@ void add_run(CLI::App& root, Options& o) {
 
 void add_plot(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("plot", "draw a run or a snapshot as PNG files");
-  app.add_option("what", o.what, "a run's folder, or one of its snapshots")->required();
+  app.add_option("what", o.plot.what, "a run's folder, or one of its snapshots; several: their maps in one figure")
+      ->required();
   app.add_flag("--exact,!--no-exact", o.plot.exact, "draw the exact solution where the scene has one (default)");
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
   app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
-  app.footer("Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png");
+  app.footer("Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
+             "  sphk plot blob-run blob-run-2 --out both.png");
 }
 
 void add_rates(CLI::App& root, Options& o) {
@@ -171,7 +175,6 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
   if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
   if (name == "info") return plain([o] { return info_command(o->file); });
   if (name == "ic") return plain([o] { return ic_check_command(o->file); });
-  o->plot.what = o->what;
   o->plot.out = path_of(o->out);
   return plain([o] { return plot_command(o->plot); });
 }

@@ -38,17 +38,16 @@ std::vector<fs::path> snapshots_in(const fs::path& folder) {
   return found;
 }
 
-Targets find_targets(const PlotOptions& options) {
-  const fs::path what = options.what;
+Targets find_targets(const fs::path& what, bool every) {
   if (fs::is_regular_file(what)) return {.folder = what.parent_path(), .snapshots = {what}, .whole_run = false};
   if (!fs::is_directory(what))
     throw InputError(
-        fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", options.what));
+        fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", what.string()));
   Targets targets{.folder = what, .snapshots = snapshots_in(what), .whole_run = true};
   if (targets.snapshots.empty())
     throw InputError(
-        fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", options.what));
-  if (!options.every) targets.snapshots.erase(targets.snapshots.begin(), targets.snapshots.end() - 1);
+        fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", what.string()));
+  if (!every) targets.snapshots.erase(targets.snapshots.begin(), targets.snapshots.end() - 1);
   return targets;
 }
 
@@ -112,13 +111,36 @@ fs::path figure_name(const PlotOptions& options, const Targets& targets, const f
   return folder / snapshot.filename().replace_extension(".png");
 }
 
+std::optional<Problem> problem_of(const Targets& targets) {
+  const fs::path scene_file = targets.folder / "scene.used.toml";
+  if (!fs::exists(scene_file)) return std::nullopt;
+  return resolve_problem(scene_file.string(), {});
+}
+
+/// The density maps of several runs or snapshots, on one scale, in one figure.
+void plot_side_by_side(const PlotOptions& options) {
+  if (!options.out || options.out->extension() != ".png")
+    throw InputError("several runs go into one figure, each as a density map: name it with --out FILE.png");
+  if (options.every) throw InputError("--all draws every snapshot of one run; several runs are given");
+  Json maps = Json::array();
+  for (const std::string& what : options.what) {
+    const Targets targets = find_targets(what, false);
+    maps.push_back(describe_snapshot(targets.snapshots.back(), problem_of(targets), false));
+    if (maps.back()["dimension"] == 1)
+      throw InputError(fmt::format("{} is one-dimensional and has no density map", what));
+  }
+  run_plot_script(Json{{"beside", maps}, {"out", options.out->string()}}.dump());
+}
+
 }  // namespace
 
 int plot_command(const PlotOptions& options) {
-  const Targets targets = find_targets(options);
-  const fs::path scene_file = targets.folder / "scene.used.toml";
-  std::optional<Problem> problem;
-  if (fs::exists(scene_file)) problem = resolve_problem(scene_file.string(), {});
+  if (options.what.size() > 1) {
+    plot_side_by_side(options);
+    return ExitCode::done;
+  }
+  const Targets targets = find_targets(options.what.front(), options.every);
+  const std::optional<Problem> problem = problem_of(targets);
   Json work = {{"snapshots", Json::array()}, {"history", nullptr}};
   for (const fs::path& snapshot : targets.snapshots) {
     Json item = describe_snapshot(snapshot, problem, options.exact);

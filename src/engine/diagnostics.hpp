@@ -110,12 +110,18 @@ auto apart_terms(List<Term...>) -> TermSet<Apart<Term>..., NeighbourCountSum, Ze
 
 }  // namespace detail
 
-/// One right-hand side, as `sphk rates` writes it; the passes have just been run.
+/// The sums of a scheme's terms, each apart, with the diagnostics of `sphk rates`; the passes have just been run.
 template <class S>
-std::vector<Field> take_rates(const State<S>& state, bool split) {
-  constexpr int D = S::dimension;
-  using L = typename S::Layout;
-  using Form = typename S::ThermalForm;
+auto sums_of_rates(const State<S>& state) {
+  return detail::sums_apart<decltype(detail::apart_terms(typename S::RateTerms::List{}))>(state);
+}
+
+/// One right-hand side, as `sphk rates` writes it, of the terms of a list, with their sums apart.
+template <class Terms, class L, class C>
+std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool split) {
+  constexpr int D = L::dimension;
+  using Form = typename L::ThermalForm;
+  using Fields = typename L::Fields;
   const detail::HostColumns<L> host(state);
   const double gamma = state.parameters.gamma;
   std::vector<Field> fields;
@@ -131,7 +137,6 @@ std::vector<Field> take_rates(const State<S>& state, bool split) {
         -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
     return Form::entropy_rate(host.template at<ThermalRate>(i), work, rho, gamma);
   }));
-  using Fields = typename S::Fields;
   if constexpr (contains<GradVelocityDivergence, Fields>) {
     fields.push_back(host.template field<GradVelocityDivergence>("GradVelocityDivergence", "grad(div v)", {-1, 0, -1}));
     fields.push_back(detail::scalar_field(host, "AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {
@@ -143,8 +148,6 @@ std::vector<Field> take_rates(const State<S>& state, bool split) {
   }
   if constexpr (contains<MassRate, Fields>)
     fields.push_back(host.template field<MassRate>("MassRate", "dm/dt by mass dissipation", {0, 1, -1}));
-  using Terms = typename S::RateTerms::List;
-  const auto sums = detail::sums_apart<decltype(detail::apart_terms(Terms{}))>(state);
   fields.push_back(detail::apart_field<NeighbourCount>(host, sums, "NeighbourCount",
                                                        "Neighbours with r < h, self included", {}, false));
   fields.push_back(detail::apart_field<ErrorE0>(host, sums, "E0", "Zeroth-order force error (S12 eq 13)", {}, true));

@@ -38,7 +38,7 @@ class Engine final : public Simulation {
 
   StepReport step(double t_end) override {
     run_.state.clock.individual ? begin_substep(t_end) : begin_step(t_end);
-    note_limiting_particle();
+    note_limiting_particle(run_.state, run_.limit.particle, report_);  // before the sort moves it
     ++run_.step;
     pass_steps(typename S::Steps{});
     run_.time = end_of_step_;
@@ -86,16 +86,15 @@ class Engine final : public Simulation {
       run_.accept = 1e-7;
       pass_steps(typename S::Steps{});
       run_.accept = steps_accept_;
-      return take_rates(run_.state, split);
+      const auto sums = sums_of_rates(run_.state);
+      return rate_fields<typename S::RateTerms::List>(run_.state, sums, split);
     } else {
       throw std::logic_error("rates are computed in double: make the simulation with precision \"double\"");
     }
   }
 
   std::vector<std::string> warnings() const override {
-    std::vector<std::string> all = support_warnings(searches_);
-    for (std::string& warning : fit_warnings(fits_)) all.push_back(std::move(warning));
-    return all;
+    return warnings_of(searches_, fits_);
   }
 
  private:
@@ -117,21 +116,6 @@ class Engine final : public Simulation {
     });
   }
 
-  /// Where the particle sits that sets the next time-step; before the sort moves it.
-  void note_limiting_particle() {
-    const int i = run_.limit.particle;
-    if (i < 0) return;
-    const auto one =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(run_.state.ids, std::pair(i, i + 1)));
-    report_.limiting_id = one(0);
-    for (int d = 0; d < D; ++d) {
-      const auto start = (component_offset<D, Position, typename S::Fields> + d) *
-                             static_cast<std::size_t>(run_.state.columns.stride) +
-                         i;
-      report_.limiting_x[d] = detail::on_host(Kokkos::subview(run_.state.columns.data, std::pair(start, start + 1)))(0);
-    }
-  }
-
   void begin_step(double t_end) {
     StepClock& clock = run_.state.clock;
     clock.dt = next_dt(t_end);
@@ -143,9 +127,9 @@ class Engine final : public Simulation {
   void begin_substep(double t_end) {
     StepClock& clock = run_.state.clock;
     const bool in_step = clock.now == 0 || clock.now == StepClock::block;
-    if (!in_step && t_end != block_end_) wake_all(run_);
+    if (!in_step && t_end != block_end_) wake_all(run_.state);
     if (in_step || t_end != block_end_) begin_block(t_end);
-    clock.next = first_end(run_);
+    clock.next = first_end(run_.state);
     clock.dt = static_cast<double>(clock.next - clock.now) * clock.tick;
     end_of_step_ =
         clock.next == StepClock::block ? block_end_ : block_begin_ + static_cast<double>(clock.next) * clock.tick;
@@ -158,7 +142,7 @@ class Engine final : public Simulation {
     clock.tick = (block_end_ - block_begin_) / static_cast<double>(StepClock::block);
     clock.now = clock.next = 0;
     run_.state.active.everyone = true;
-    assign_steps(run_, 0);
+    assign_steps(run_.state, run_.schedule, 0);
   }
 
   /// The limit's dt, cut to end at t_end without a sliver of a step after it.

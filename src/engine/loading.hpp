@@ -1,12 +1,20 @@
 #pragma once
 
-#include <cmath>
-
 #include "kernels/passes/step_passes.hpp"
 #include "src/engine/particle_set.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace sphk {
+
+/// The support radius if the particles filled their box evenly.
+double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings);
+
+/// Largest support radius of a run: the setting; or the box's diagonal where an axis is open; or, in a periodic box,
+/// what the N_n-th image is nearer than wherever the particles are.
+double support_cap(const ParticleSet& particles, const SimulationSettings& settings);
+
+/// The numbers that passes and terms read.
+Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings);
 
 namespace detail {
 
@@ -68,86 +76,56 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
 }
 
 /// Room for steps of the particles' own; all of them are at the start of a block.
-template <class S>
-void allow_individual_steps(Run<S>& run, const SimulationSettings& settings) {
-  auto& state = run.state;
+template <class L>
+void allow_individual_steps(Particles<L>& state, Schedule& schedule, const SimulationSettings& settings) {
   const int n = state.n;
   state.clock.individual = true;
   state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
   state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
   state.active.masks = Kokkos::View<TargetMask*, MemorySpace>("active particles", state.tree.cells());
   state.active.cell_numbers = Kokkos::View<int*, MemorySpace>("active cells", state.tree.cells());
-  run.schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
-  run.schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
-  run.schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
-  run.schedule.limiter = settings.step_limiter;
-  if (settings.max_dt > 0) run.schedule.longest = settings.max_dt;
-  Kokkos::deep_copy(ExecutionSpace(), run.schedule.caps, StepClock::block);
+  schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
+  schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
+  schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
+  schedule.limiter = settings.step_limiter;
+  if (settings.max_dt > 0) schedule.longest = settings.max_dt;
+  Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block);
+}
+
+/// Particles as they are given, in columns.
+template <class L>
+Particles<L> load_particles(const ParticleSet& given, const SimulationSettings& settings) {
+  constexpr int D = L::dimension;
+  const int n = static_cast<int>(given.size());
+  Domain<D> domain{};
+  for (int d = 0; d < D; ++d) {
+    domain.lower[d] = given.box.lower[d];
+    domain.period[d] = given.box.periodic[d] ? given.box.size[d] : 0;
+  }
+  const Particles<L> particles{n, typename Particles<L>::Columns("particles", n), Ids("ids", n),
+                               CellTree<D>(n, domain), parameters_of(given, settings)};
+  copy_to_columns(particles, given);
+  return particles;
 }
 
 }  // namespace detail
 
-/// The support radius if the particles filled their box evenly.
-inline double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {
-  const int D = particles.dimension;
-  double volume = 1;
-  for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
-  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
-}
-
-/// Largest support radius of a run: the setting; or the box's diagonal where an axis is open; or, in a periodic box,
-/// what the N_n-th image is nearer than wherever the particles are.
-inline double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
-  if (settings.h_max > 0) return settings.h_max;
-  double diagonal2 = 0;
-  bool open = false;
-  for (int d = 0; d < particles.dimension; ++d) {
-    diagonal2 += particles.box.size[d] * particles.box.size[d];
-    open = open || !particles.box.periodic[d];
-  }
-  const double diagonal = std::sqrt(diagonal2);
-  return open ? diagonal : diagonal + 2 * support_of_even_gas(particles, settings);
-}
-
 /// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
 template <class S>
 Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
-  constexpr int D = S::dimension;
-  const int n = static_cast<int>(particles.size());
-  Domain<D> domain{};
-  for (int d = 0; d < D; ++d) {
-    domain.lower[d] = particles.box.lower[d];
-    domain.period[d] = particles.box.periodic[d] ? particles.box.size[d] : 0;
-  }
-  const Parameters parameters{.neighbours = settings.neighbours,
-                              .gamma = settings.gamma,
-                              .courant = settings.courant,
-                              .alpha = settings.viscosity_alpha,
-                              .beta = settings.viscosity_beta,
-                              .subtract_E0 = settings.scheme == "sphs-morris",
-                              .alpha_entropy = settings.alpha_entropy,
-                              .alpha_mass = settings.alpha_mass,
-                              .alpha_min = settings.alpha_min,
-                              .noise = settings.switch_noise,
-                              .alpha_given = settings.alpha_given,
-                              .balsara_limits_all = settings.balsara_limits_all,
-                              .mass_correction = settings.mass_correction,
-                              .h_max = support_cap(particles, settings)};
-  using Columns = typename Particles<typename S::Layout>::Columns;
-  Run<S> run{State<S>{{n, Columns("particles", n), Ids("ids", n), CellTree<D>(n, domain), parameters},
-                      Smoothing<typename S::Kernel, D>(kernel)}};
-  run.sorter = Sorter<D, Columns>(n);
+  using L = typename S::Layout;
+  Run<S> run{
+      State<S>{detail::load_particles<L>(particles, settings), Smoothing<typename S::Kernel, S::dimension>(kernel)}};
+  run.sorter = Sorter<S::dimension, typename Particles<L>::Columns>(run.state.n);
   run.time = particles.time;
   run.accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
-  detail::copy_to_columns<typename S::Layout>(run.state, particles);
-  if (settings.individual_steps) detail::allow_individual_steps(run, settings);
+  if (settings.individual_steps) detail::allow_individual_steps(run.state, run.schedule, settings);
   SortedCells::run(run);
-  const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
+  const Kokkos::RangePolicy<ExecutionSpace> all(0, run.state.n);
   Kokkos::parallel_for("guess support", all,
-                       detail::GuessSupport<typename S::Layout>{run.state, support_of_even_gas(particles, settings)});
+                       detail::GuessSupport<L>{run.state, support_of_even_gas(particles, settings)});
   SmoothingLength::run(run);
-  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<typename S::Layout>{run.state});
+  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<L>{run.state});
   return run;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -145,48 +143,27 @@ Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double tim
 }
 
 /// Throws NumericsError naming the particle when the next time-step is not positive.
-inline void require_finite(const StepLimit& limit, double time, long step) {
-  if (limit.dt > 0) return;
-  throw NumericsError(
-      fmt::format("step {}, t = {}: the time-step C h / v_sig of particle {} is not a positive number: a velocity, an "
-                  "energy or a density is not finite. Look at the last snapshot around that particle; a smaller "
-                  "time.courant may help.",
-                  step, time, limit.particle));
-}
+void require_finite(const StepLimit& limit, double time, long step);
 
 /// Throws NumericsError where a particle asks for less than the shortest step of the hierarchy.
-inline void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step) {
-  if (!clock.individual || limit.dt >= clock.tick) return;
-  throw NumericsError(fmt::format(
-      "step {}, t = {}: particle {} asks for a time-step of {:.3g}, below the shortest one, {:.3g}, which is "
-      "1e-13 of the time between two snapshots. Look at the last snapshot around that particle; more "
-      "snapshots (output.snapshots) allow shorter steps.",
-      step, time, limit.particle, limit.dt, clock.tick));
-}
+void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step);
 
-inline std::vector<std::string> fit_warnings(const FitCounts& counts) {
-  if (counts.linear + counts.sph == 0) return {};
-  return {
-      fmt::format("{} fits of the velocity gradients were linear and {} gave way to the SPH estimate: too few "
-                  "neighbours, or on a line or plane; more of them (sph.neighbours) allow second order",
-                  counts.linear, counts.sph)};
-}
+/// Sentences on searches for h and fits that did not go as they should.
+std::vector<std::string> warnings_of(const SupportCounts& searches, const FitCounts& fits);
 
-inline std::vector<std::string> support_warnings(const SupportCounts& counts) {
-  std::vector<std::string> warnings;
-  if (counts.capped > 0)
-    warnings.push_back(
-        fmt::format("{} searches ended at the largest support radius with fewer neighbours than asked: raise "
-                    "sph.h_max or lower sph.neighbours",
-                    counts.capped));
-  if (counts.crowded > 0)
-    warnings.push_back(
-        fmt::format("{} searches found more coincident particles than neighbours asked: their support holds "
-                    "nobody else; `sphk ic check` lists them",
-                    counts.crowded));
-  if (counts.failed > 0)
-    warnings.push_back(fmt::format("{} searches for a support radius did not converge", counts.failed));
-  return warnings;
+/// Where particle i sits, into the report as what limits the time-step.
+template <class L>
+void note_limiting_particle(const Particles<L>& state, int i, StepReport& report) {
+  if (i < 0) return;
+  const auto one =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(state.ids, std::pair(i, i + 1)));
+  report.limiting_id = one(0);
+  for (int d = 0; d < L::dimension; ++d) {
+    const auto start = (component_offset<L::dimension, Position, typename L::Fields> + d) *
+                           static_cast<std::size_t>(state.columns.stride) +
+                       i;
+    report.limiting_x[d] = detail::on_host(Kokkos::subview(state.columns.data, std::pair(start, start + 1)))(0);
+  }
 }
 
 }  // namespace sphk

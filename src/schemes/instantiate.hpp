@@ -1,10 +1,10 @@
 #pragma once
 
 #include "kernels/smoothing/list.hpp"
-#include "kernels/smoothing/tabulated.hpp"
 #include "kernels/terms/pressure_work.hpp"
 #include "src/engine/engine.hpp"
 #include "src/schemes/instantiation.hpp"
+#include "src/schemes/kernel_table.hpp"
 
 namespace sphk {
 
@@ -13,7 +13,7 @@ namespace detail {
 template <class K>
 K make_kernel(const std::string& name) {
   if constexpr (std::is_same_v<K, Tabulated>)
-    return with_kernel(name, [&](const auto& kernel) { return Tabulated(kernel, name); });
+    return kernel_table(name);
   else
     return K{};
 }
@@ -23,21 +23,28 @@ std::unique_ptr<Simulation> make_engine(const ParticleSet& particles, const Simu
   return std::make_unique<Engine<S>>(particles, settings, make_kernel<typename S::Kernel>(settings.kernel));
 }
 
-template <class S>
-SchemeDescription describe_scheme() {
+/// What schemes that differ in kernel and pair arithmetic alone have in common.
+template <class Steps, class Terms, class L>
+SchemeDescription describe_layout() {
   SchemeDescription description;
-  description.dimension = S::dimension;
-  description.precision = std::is_same_v<typename S::PairNumber, float> ? "mixed" : "double";
-  [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(typename S::Steps{});
-  for_each_type(typename S::RateTerms::List{}, [&]<class T>() { description.terms.emplace_back(T::name); });
-  for_each_type(typename S::Fields{}, [&]<class F>() { description.fields.emplace_back(F::name); });
-  using Writes = typename S::Steps::Writes;
-  for_each_type(Writes{}, [&]<class F>() {
-    if constexpr (!contains<F, typename S::Fields>)
+  description.dimension = L::dimension;
+  [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(Steps{});
+  for_each_type(Terms{}, [&]<class T>() { description.terms.emplace_back(T::name); });
+  for_each_type(typename L::Fields{}, [&]<class F>() { description.fields.emplace_back(F::name); });
+  for_each_type(typename Steps::Writes{}, [&]<class F>() {
+    if constexpr (!contains<F, typename L::Fields>)
       description.left_out.push_back(std::string(F::name) + ": no term of this scheme reads them");
   });
-  if constexpr (!contains<PressureWork, typename S::RateTerms::List>)
+  if constexpr (!contains<PressureWork, Terms>)
     description.left_out.push_back("pressure work: the entropy function changes by dissipation alone");
+  return description;
+}
+
+template <class S>
+SchemeDescription describe_scheme() {
+  SchemeDescription description =
+      describe_layout<typename S::Steps, typename S::RateTerms::List, typename S::Layout>();
+  description.precision = std::is_same_v<typename S::PairNumber, float> ? "mixed" : "double";
   description.bytes_per_particle = bytes_per_particle<S>;
   description.flops_per_pair = flops_per_pair<S>();
   return description;

@@ -103,7 +103,7 @@ TYPED_TEST(CellTreeTest, a_walk_misses_nothing_and_visits_nothing_twice) {
       return k;
     };
     walk(
-        cloud.tree, root(cloud.tree), target, [=](double) { return reach; },
+        cloud.tree, root(cloud.tree), target, [=](const auto& h) { return std::remove_cvref_t<decltype(h)>(reach); },
         [&](int sub_cell, const double* shift) { ++visits[key(sub_cell, shift)]; });
     for (const auto& [where, count] : visits) ASSERT_EQ(count, 1);
     const int most = static_cast<int>(reach) + 1, images = 2 * most + 1;

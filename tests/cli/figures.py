@@ -64,6 +64,13 @@ class Figures(unittest.TestCase):
         height, width = matplotlib.image.imread(os.path.join(self.folder, names[2])).shape[:2]
         self.assertGreater(height / width, 0.5)  # two rows of panels: the drifts and energies, then M, W, mixA, crossed
 
+    def test_two_runs_share_one_scale_side_by_side(self):
+        self.sphk("run", "gresho", "-n", "16", "--set", "scene.dimension=2", "--steps", "1", "--out", "other")
+        self.sphk("plot", "run", "other/snap_0000.hdf5", "--out", "both.png")
+        image = matplotlib.image.imread(os.path.join(self.folder, "both.png"))
+        self.assertGreater(image.shape[1] / image.shape[0], 1.4)  # two square maps in a row
+        self.assertIn("--out FILE.png", self.sphk("plot", "run", "other", code=2))
+
     def test_without_exact_there_is_no_exact_line(self):
         self.sphk("plot", "run/snap_0000.hdf5", "--no-exact", "--out", "bare.png")
         self.assertLess(share(colours(os.path.join(self.folder, "bare.png"))[0], "#d55e00"), 1e-4)

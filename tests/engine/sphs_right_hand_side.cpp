@@ -91,6 +91,34 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"conservative_2d", "sphs-conservative", "wc2", 2, {14, 12, 1}, 40, true, false}),
     [](const auto& info) { return info.param.name; });
 
+/// P_i = [sum_j m_j A_j^(1/gamma) Wbar]^gamma (S12 eq 20), the pair of i with itself included, in S12 eq 7.
+TEST(SphsRt, pressure_and_force_equal_the_explicit_sums) {
+  ParticleSet gas = shaken_lattice(3, {9, 8, 9}, 0.3, true, 11);
+  gas.m.assign(gas.size(), gas.m[0]);
+  SimulationSettings s;
+  s.scheme = "sphs-rt", s.kernel = "hoct4", s.neighbours = 128, s.precision = "double", s.alpha_given = 0;
+  BruteForce wanted(gas, s);
+  std::vector<double> root;
+  for (std::size_t j = 0; j < gas.size(); ++j)
+    root.push_back(std::pow(wanted.P[j] / std::pow(wanted.rho[j], s.gamma), 1 / s.gamma));
+  for (std::size_t i = 0; i < gas.size(); ++i) {
+    double sum = 0;
+    for (const auto& pair : wanted.pairs(static_cast<int>(i))) sum += gas.m[pair.j] * root[pair.j] * pair.W;
+    wanted.P[i] = std::pow(sum, s.gamma);
+  }
+  std::vector<double> a;
+  for (std::size_t i = 0; i < gas.size(); ++i) {
+    Array3 sum{};
+    for (const auto& pair : wanted.pairs(static_cast<int>(i)))
+      for (int d = 0; d < 3; ++d)
+        sum[d] += wanted.pressure_force(MomentumForm::tsph, static_cast<int>(i), pair) * pair.e[d];
+    a.insert(a.end(), sum.begin(), sum.end());
+  }
+  const auto got = make_simulation(gas, s)->rates(false);
+  expect_near(named(got, "Acceleration"), a, 1e-10, "a");
+  for (const double rate : named(got, "EntropyRate")) ASSERT_EQ(rate, 0) << "nothing dissipates";
+}
+
 /// v = a + B x + x C x on random places: div v = tr B + sum_k 2 (C^c_kc) x, and its gradient, are exact.
 TEST(SphsGradients, of_a_quadratic_flow_through_random_places_are_exact) {
   std::mt19937_64 engine(3);

@@ -51,7 +51,7 @@ struct ScheduleTest : testing::Test {
 TEST_F(ScheduleTest, steps_are_the_largest_powers_of_two_that_were_asked) {
   ask_at_random();
   run.schedule.limiter = false;
-  assign_steps(run, 0);
+  assign_steps(run.state, run.schedule, 0);
   for (int i = 0; i < run.state.n; ++i) {
     EXPECT_EQ(length(i) & (length(i) - 1), 0);
     const double step = static_cast<double>(length(i)) * run.state.clock.tick, asked = run.state.step_asked(i);
@@ -63,7 +63,7 @@ TEST_F(ScheduleTest, steps_are_the_largest_powers_of_two_that_were_asked) {
 TEST_F(ScheduleTest, steps_begin_where_steps_of_their_length_do) {
   ask_at_random();
   const Ticks start = 3 * (StepClock::block / 8);
-  assign_steps(run, start);
+  assign_steps(run.state, run.schedule, start);
   for (int i = 0; i < run.state.n; ++i) {
     EXPECT_EQ(start % length(i), 0);
     EXPECT_LE(run.state.clock.end(i), StepClock::block);
@@ -72,7 +72,7 @@ TEST_F(ScheduleTest, steps_begin_where_steps_of_their_length_do) {
 
 TEST_F(ScheduleTest, neighbours_stay_within_a_factor_four) {
   ask_at_random();
-  assign_steps(run, 0);
+  assign_steps(run.state, run.schedule, 0);
   Ticks shortest = StepClock::block, longest = 0;
   for (int i = 0; i < run.state.n; ++i) {
     shortest = std::min(shortest, length(i)), longest = std::max(longest, length(i));
@@ -102,7 +102,7 @@ TEST_F(ScheduleTest, a_sleeping_neighbour_is_woken_at_once) {
   state.clock.next = now;
   ActiveParticles::run(run);
   EXPECT_EQ(run.active_count, 1);
-  assign_steps(run, now);
+  assign_steps(run.state, run.schedule, now);
   EXPECT_EQ(length(hot), asked);
   // A woken particle's drift went at v_0 + a T/2 for t = T/4; a step that ends there wants v_0 + a t/2: the difference
   // is a t (t - T)/2, and a = 1 along x.

@@ -62,28 +62,39 @@ def density_image(snapshot, lower, size):
         return (sums / weights).reshape(shape).T
 
 
-def draw_density_map(snapshot, path):
-    item = snapshot.item
-    lower, size = frame(snapshot)
-    image = density_image(snapshot, lower, size)
-    low, high = np.nanmin(image), np.nanmax(image)
+def colour_norm(images):
+    """One scale for all images, logarithmic where the densities differ by more than a factor 20."""
+    low, high = min(np.nanmin(image) for image in images), max(np.nanmax(image) for image in images)
+    if low > 0 and high > 20 * low:
+        return LogNorm(low, high)
     middle = 0.5 * (low + high)
     spread = max(high - low, 1e-3 * abs(middle))
-    norm = LogNorm(low, high) if low > 0 and high > 20 * low else Normalize(middle - spread / 2, middle + spread / 2)
-    shape = min(max(size[1] / size[0], 0.25), 2.0)
-    figure, axes = plt.subplots(figsize=(7.4, 5.6 * shape + 1.5), constrained_layout=True)
-    picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
-                          extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
-    axes.grid(False)
-    axes.set_xlabel("$x$")
-    axes.set_ylabel("$y$")
-    middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
-    where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
-    axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
-    bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
-    colours = figure.colorbar(picture, cax=bar, label=LABELS["rho"])
-    if isinstance(norm, LogNorm):
-        colours.locator = LogLocator(subs=(1, 2, 5))
-        colours.formatter = FuncFormatter(lambda value, _: f"{value:g}")
-        colours.minorticks_off()
+    return Normalize(middle - spread / 2, middle + spread / 2)
+
+
+def draw_density_maps(snapshots, path):
+    """A panel for each snapshot, on one colour scale: wide ones below each other, others side by side."""
+    frames = [frame(snapshot) for snapshot in snapshots]
+    images = [density_image(snapshot, *frames[k]) for k, snapshot in enumerate(snapshots)]
+    norm = colour_norm(images)
+    shape = min(max(max(size[1] / size[0] for _, size in frames), 0.25), 2.0)
+    rows, columns = (len(images), 1) if shape < 0.6 else (1, len(images))
+    figure, panels = plt.subplots(rows, columns, squeeze=False, constrained_layout=True,
+                                  figsize=(1.8 + 5.6 * columns, (5.6 * shape + 1.5) * rows))
+    for axes, snapshot, (lower, size), image in zip(panels.flat, snapshots, frames, images):
+        item = snapshot.item
+        picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
+                              extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
+        axes.grid(False)
+        axes.set_xlabel("$x$")
+        axes.set_ylabel("$y$")
+        middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
+        where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
+        axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
+        bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
+        colours = figure.colorbar(picture, cax=bar, label=LABELS["rho"])
+        if isinstance(norm, LogNorm):
+            colours.locator = LogLocator(subs=(1, 2, 5))
+            colours.formatter = FuncFormatter(lambda value, _: f"{value:g}")
+            colours.minorticks_off()
     save(figure, path)

@@ -19,7 +19,7 @@ try:
 except ImportError:
     sys.exit(MISSING_PACKAGE)
 
-from density_map import draw_density_map
+from density_map import draw_density_maps
 from history import draw_history, errors_at, read_history
 from profiles import draw_profiles
 from snapshot import Snapshot
@@ -32,12 +32,15 @@ def has_map(item):
 
 def main():
     work = json.load(sys.stdin)
+    if work.get("beside"):
+        draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"])
+        return
     history = read_history(work["history"]) if work["history"] else {}
     for item in work["snapshots"]:
         snapshot = Snapshot(item)
         draw_profiles(snapshot, errors_at(history, item["time"]), item["out"])
         if has_map(item):
-            draw_density_map(snapshot, item["out"][: -len(".png")] + "_map.png")
+            draw_density_maps([snapshot], item["out"][: -len(".png")] + "_map.png")
     if work.get("history_out") and len(history.get("time", [])) > 1:
         draw_history(history, work["snapshots"][-1]["title"], work["history_out"])
 

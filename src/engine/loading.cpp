@@ -1,0 +1,44 @@
+#include "src/engine/loading.hpp"
+
+#include <cmath>
+
+namespace sphk {
+
+double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {
+  const int D = particles.dimension;
+  double volume = 1;
+  for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
+  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
+  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
+}
+
+double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
+  if (settings.h_max > 0) return settings.h_max;
+  double diagonal2 = 0;
+  bool open = false;
+  for (int d = 0; d < particles.dimension; ++d) {
+    diagonal2 += particles.box.size[d] * particles.box.size[d];
+    open = open || !particles.box.periodic[d];
+  }
+  const double diagonal = std::sqrt(diagonal2);
+  return open ? diagonal : diagonal + 2 * support_of_even_gas(particles, settings);
+}
+
+Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings) {
+  return {.neighbours = settings.neighbours,
+          .gamma = settings.gamma,
+          .courant = settings.courant,
+          .alpha = settings.viscosity_alpha,
+          .beta = settings.viscosity_beta,
+          .subtract_E0 = settings.scheme == "sphs-morris",
+          .alpha_entropy = settings.alpha_entropy,
+          .alpha_mass = settings.alpha_mass,
+          .alpha_min = settings.alpha_min,
+          .noise = settings.switch_noise,
+          .alpha_given = settings.alpha_given,
+          .balsara_limits_all = settings.balsara_limits_all,
+          .mass_correction = settings.mass_correction,
+          .h_max = support_cap(particles, settings)};
+}
+
+}  // namespace sphk
