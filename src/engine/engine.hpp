@@ -67,7 +67,7 @@ class Engine final : public Simulation {
 
   Costs costs() const override {
     Costs costs = costs_;
-    costs.bytes_per_particle = bytes_per_particle<S>;
+    costs.bytes_per_particle = bytes_per_particle<S> + (run_.state.clock.individual ? bytes_of_own_steps : 0);
     costs.flops = costs.pair_interactions * flops_per_pair<S>();
     std::size_t k = 0;
     for_each_pass(typename S::Steps{}, [&]<class Pass>() { costs.phases.emplace_back(Pass::name, seconds_[k++]); });

@@ -23,7 +23,7 @@ bool has_equal_masses(const Settings& settings);
 /// gamma = 5/3 and this end time, where the user set neither.
 void prefer_usual_gas(Settings& settings, double end);
 
-/// Kernel and neighbour number: S12's HOCT4 with 442 neighbours (a support of 4.7 spacings) for sphs, else
+/// Kernel and neighbour number: for sphs S12's HOCT4 with 442 neighbours (a support of 4.7 spacings), in 2D WC6 with 60; else
 /// usual_neighbours.
 void prefer_usual_kernel(Settings& settings, int dimension);
 

@@ -4,7 +4,7 @@
 namespace sphk {
 
 Instantiations sphs_2d() {
-  return instantiate<Sphs, 2>("sphs", "entropy", List<Hoct<4>>{}, Masses::equal);
+  return instantiate<Sphs, 2>("sphs", "entropy", List<Hoct<4>, WendlandC6>{}, Masses::equal);
 }
 
 }  // namespace sphk

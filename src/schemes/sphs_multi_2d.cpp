@@ -4,7 +4,7 @@
 namespace sphk {
 
 Instantiations sphs_multi_2d() {
-  return instantiate<SphsMulti, 2>("sphs", "entropy", List<Hoct<4>>{});
+  return instantiate<SphsMulti, 2>("sphs", "entropy", List<Hoct<4>, WendlandC6>{});
 }
 
 }  // namespace sphk

@@ -19,6 +19,7 @@ TEST(Labels, StandForSchemeKernelAndNeighbours) {
                                                              {"sph.neighbours", "128"},
                                                              {"scene.masses", "multi"},
                                                              {"scene.lattice", "glass"}}));
+  EXPECT_EQ(keys_of_label("SPHS-HCT442g"), keys_of_label("SPHS-HCT442-g")) << "S12 writes its suffixes without a dash";
 }
 
 TEST(Labels, LeaveSchemesAndMistakesAlone) {
