@@ -7,27 +7,26 @@
 
 namespace sphk {
 
-/// One bit a lane: lane 0 is the lowest.
+/// One bit a lane: lane 0 is the lowest. Of packs on a host alone.
+KOKKOS_FORCEINLINE_FUNCTION unsigned mask_bits(bool mask) {
+  return mask;
+}
+#if defined(KOKKOS_ARCH_AVX2) || defined(KOKKOS_ARCH_AVX512XEON)
 template <class M>
-KOKKOS_FORCEINLINE_FUNCTION unsigned mask_bits(const M& mask) {
-  if constexpr (std::is_same_v<M, bool>) {
-    return mask;
+inline unsigned mask_bits(const M& mask) {
 #if defined(KOKKOS_ARCH_AVX512XEON)
-  } else if constexpr (M::size() == 16) {
+  if constexpr (M::size() == 16)
     return static_cast<__mmask16>(mask);
-  } else {
+  else
     return static_cast<__mmask8>(mask);
-  }
-#elif defined(KOKKOS_ARCH_AVX2)
-  } else if constexpr (M::size() == 8) {
-    return static_cast<unsigned>(_mm256_movemask_ps(static_cast<__m256>(mask)));
-  } else {
-    return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(mask)));
-  }
 #else
-  }
+  if constexpr (M::size() == 8)
+    return static_cast<unsigned>(_mm256_movemask_ps(static_cast<__m256>(mask)));
+  else
+    return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(mask)));
 #endif
 }
+#endif
 
 /// The number of the lowest bit of a mask that has one.
 KOKKOS_FORCEINLINE_FUNCTION int lowest_bit(unsigned bits) {

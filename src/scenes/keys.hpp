@@ -23,8 +23,8 @@ bool has_equal_masses(const Settings& settings);
 /// gamma = 5/3 and this end time, where the user set neither.
 void prefer_usual_gas(Settings& settings, double end);
 
-/// Kernel and neighbour number: for sphs S12's HOCT4 with 442 neighbours (a support of 4.7 spacings), in 2D WC6 with 60; else
-/// usual_neighbours.
+/// Kernel and neighbour number: for sphs S12's HOCT4 with 442 neighbours (a support of 4.7 spacings), in 2D WC6 with
+/// 60; else usual_neighbours.
 void prefer_usual_kernel(Settings& settings, int dimension);
 
 /// N_n for a support of about 2.3 to 2.5 mean spacings: 48 in 3D, 20 in 2D, 5 in 1D.
