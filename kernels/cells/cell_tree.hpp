@@ -152,8 +152,8 @@ Bounds<D> bounds_of_all(const CellTree<D>& tree) {
 }
 
 /// Calls `visit(sub_cell, shift)` for every sub-cell, in every periodic image, whose box comes nearer to `target` than
-/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side; `reach` takes
-/// one h_max or a pack of them. Leaves out what is below a node for which `skip(level, k)` holds.
+/// `reach(h_max)`, the larger of the target's reach and, where pairs are symmetric, that of the other side; `reach`
+/// takes one h_max or a pack of them. Leaves out what is below a node for which `skip(level, k)` holds.
 template <int D, class Reach, class Visit, class Skip>
 KOKKOS_INLINE_FUNCTION void walk_image(const CellTree<D>& tree, const Bounds<D>& target, const double* shift,
                                        const Reach& reach, Visit&& visit, const Skip& skip) {
