@@ -80,7 +80,8 @@ def draw_density_maps(snapshots, path):
     shape = min(max(max(size[1] / size[0] for _, size in frames), 0.25), 2.0)
     rows, columns = (len(images), 1) if shape < 0.6 else (1, len(images))
     figure, panels = plt.subplots(rows, columns, squeeze=False, constrained_layout=True,
-                                  figsize=(1.8 + 5.6 * columns, (5.6 * shape + 1.5) * rows))
+                                  figsize=(7.4 * columns, (5.6 * shape + 1.5) * rows))
+    figure.get_layout_engine().set(wspace=0.15)  # it does not see the colour bars' labels
     for axes, snapshot, (lower, size), image in zip(panels.flat, snapshots, frames, images):
         item = snapshot.item
         picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
