@@ -129,10 +129,10 @@ struct PolynomialFit {
       });
       constexpr int diagonal = M::product(k, k);
       const P scale = moments[diagonal];
-      const auto positive = column[k] > P(T(0));
+      const auto positive = P(T(0)) < column[k];
       d[k] = column[k];
       d_inv[k] = select(positive, P(T(1)) / select(positive, column[k], P(T(1))), P(T(0)));
-      const P ratio = select(scale > P(T(0)), column[k] / select(scale > P(T(0)), scale, P(T(1))), P(T(0)));
+      const P ratio = select(P(T(0)) < scale, column[k] / select(P(T(0)) < scale, scale, P(T(1))), P(T(0)));
       quality = sphk::min(quality, ratio);
       if constexpr (k == M::linear - 1) linear_quality = quality;
       for_each_index<size>([&]<int r>() {

@@ -37,7 +37,8 @@ struct SimdType<T, 1> {
 };
 }  // namespace detail
 
-/// W numbers of type T side by side; simd<T, 1> is T itself, which is what a GPU thread uses.
+/// W numbers of type T side by side; simd<T, 1> is T itself, which is what a GPU thread uses. Compare them with < and
+/// <= alone: > and >= of eight doubles are the wrong way round in Kokkos 4.7.0 with AVX-512.
 template <class T, int W>
 using simd = typename detail::SimdType<T, W>::type;
 
