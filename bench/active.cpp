@@ -4,6 +4,8 @@
 #include <random>
 
 #include "bench/measure.hpp"
+#include "kernels/passes/gradients.hpp"
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/hoct.hpp"
 #include "src/engine/loading.hpp"
 #include "src/schemes/sphs.hpp"
@@ -14,15 +16,15 @@ namespace {
 using S = Sphs<3, Hoct<4>, float>;
 
 template <class... P>
-void run_passes(Run<S>& run, Passes<P...>) {
-  (P::run(run), ...);
+void run_passes(Run<S::Layout>& run, const SmoothingOf<S>& smoothing, Passes<P...>) {
+  (run_pass<P, S>(run, smoothing), ...);
 }
 
 /// Which particles are active: one of `every`, scattered at random, or all in a ball, as steps of the particles' own
 /// have them, which change by a factor 4 at most from one neighbour to the next.
 enum class Where { scattered, ball };
 
-std::vector<bool> choose_active(const Run<S>& run, double every, Where where) {
+std::vector<bool> choose_active(const Run<S::Layout>& run, double every, Where where) {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> unit(0, 1);
   const double radius = std::cbrt(3 / (4 * std::numbers::pi * every));
@@ -42,10 +44,11 @@ void active_step(benchmark::State& state, Where where) {
   settings.neighbours = 442;
   settings.individual_steps = true;
   settings.courant = 0.2;
-  Run<S> run = load_run<S>(shaken_box(64), settings, Hoct<4>{});
+  const SmoothingOf<S> smoothing(Hoct<4>{});
+  auto run = load_run<S>(shaken_box(64), settings, smoothing);
   auto& clock = run.state.clock;
   clock.tick = 1e-20;  // nothing moves: every sub-step is the same
-  run_passes(run, S::Steps{});
+  run_passes(run, smoothing, S::Steps{});
   const std::vector<bool> active = choose_active(run, static_cast<double>(state.range(0)), where);
   double updates = 0;
   for (auto _ : state) {
@@ -56,7 +59,7 @@ void active_step(benchmark::State& state, Where where) {
     for (int i = 0; i < run.state.n; ++i)
       clock.begin(i) = 4096 - (active[i] ? 0 : 64), clock.end(i) = active[i] ? clock.next : clock.next + 64;
     state.ResumeTiming();
-    run_passes(run, S::Steps{});
+    run_passes(run, smoothing, S::Steps{});
     updates += static_cast<double>(run.active_count);
   }
   report(state, updates / static_cast<double>(state.iterations()), 0, 0, true);

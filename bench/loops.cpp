@@ -1,5 +1,7 @@
 // The parts of a step apart: the cell build, the density loop, the rates loop.
 #include "bench/measure.hpp"
+#include "kernels/passes/gradients.hpp"
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/hoct.hpp"
 #include "src/engine/loading.hpp"
@@ -12,10 +14,13 @@ namespace sphk::bench {
 namespace {
 
 template <class S>
-Run<S> loaded(int n, double neighbours) {
+const SmoothingOf<S> smoothing{typename S::Kernel{}};
+
+template <class S>
+Run<typename S::Layout> loaded(int n, double neighbours) {
   SimulationSettings settings;
   settings.neighbours = neighbours;
-  Run<S> run = load_run<S>(shaken_box(n), settings, typename S::Kernel{});
+  auto run = load_run<S>(shaken_box(n), settings, smoothing<S>);
   StateEquation::run(run);
   return run;
 }
@@ -35,7 +40,7 @@ void cells(benchmark::State& state) {
 template <class S>
 void density_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
-  for (auto _ : state) find_support(run.state, 1e-2);
+  for (auto _ : state) find_support(State<S>{run.state, smoothing<S>}, 1e-2);
   constexpr double flops = flops_of_search<S> + flops_of_density_terms<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }
@@ -44,7 +49,7 @@ void density_loop(benchmark::State& state, double neighbours) {
 template <class S>
 void gradients_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
-  for (auto _ : state) Gradients::run(run);
+  for (auto _ : state) Gradients::run<S>(run, smoothing<S>);
   report(state, run.state.n, neighbours, flops_of_fit<S>, is_mixed<S>);
 }
 
@@ -52,7 +57,7 @@ void gradients_loop(benchmark::State& state, double neighbours) {
 template <class S>
 void rates_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
-  for (auto _ : state) Rates::run(run);
+  for (auto _ : state) Rates::run<S>(run, smoothing<S>);
   constexpr double flops = flops_of_rates<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }

@@ -11,9 +11,16 @@ inline constexpr int block_size = 4096;
 
 namespace detail {
 
-template <int D, class C>
+/// Rows of numbers as long as `stride`; the first D hold positions.
+struct PositionRows {
+  double* x;
+  std::size_t stride;
+  KOKKOS_INLINE_FUNCTION double& operator()(int i, int d) const { return x[d * stride + i]; }
+};
+
+template <int D>
 struct CurveKeys {
-  C columns;
+  PositionRows positions;
   Domain<D> domain;
   double lo[D], scale[D];  ///< (x - lo) * scale is in [0, 1]
   RadixSort::Keys keys;
@@ -21,7 +28,7 @@ struct CurveKeys {
     constexpr double cells = static_cast<double>(std::uint64_t(1) << curve_bits<D>);
     std::uint64_t a[D];
     for (int d = 0; d < D; ++d) {
-      double& x = columns.template at<Position>(i, d);
+      double& x = positions(i, d);
       x = domain.wrapped(x, d);
       const double cell = (x - lo[d]) * scale[d] * cells;
       a[d] = cell <= 0 ? 0 : static_cast<std::uint64_t>(min(cell, cells - 1));
@@ -32,13 +39,13 @@ struct CurveKeys {
 
 /// Orders one block of particles so that every aligned run of 8 * 2^k of them has a compact box: median splits of the
 /// longest axis, down to the sub-cells.
-template <int D, class C>
+template <int D>
 struct OrderBlock {
-  C columns;
+  PositionRows positions;
   RadixSort::Indices indices;
   int n;
 
-  KOKKOS_INLINE_FUNCTION double x(int k, int d) const { return columns.template row<Position>(d)[indices(k)]; }
+  KOKKOS_INLINE_FUNCTION double x(int k, int d) const { return positions(indices(k), d); }
 
   KOKKOS_INLINE_FUNCTION int longest_axis(int begin, int end) const {
     int axis = 0;
@@ -111,11 +118,16 @@ using Ids = Kokkos::View<std::uint64_t*, MemorySpace>;
 /// Sorts particles in space so that aligned runs of 8, 64, 512, ... of them are compact: along the Hilbert curve, then
 /// as a kd tree inside blocks. Wraps positions into the periodic box. Holds the second buffers, so nothing is allocated
 /// later.
-template <int D, class C>
+template <int D>
 class Sorter {
  public:
   Sorter() = default;
-  explicit Sorter(int n) : sort_(n), other_("columns, other", n), other_ids_("ids, other", n) {}
+  /// For n particles in columns whose first field is the position.
+  template <class FieldList>
+  Sorter(int n, const Columns<D, FieldList>& columns)
+      : sort_(n), other_("columns, other", columns.data.extent(0)), other_ids_("ids, other", n) {
+    static_assert(component_offset<D, Position, FieldList> == 0);
+  }
 
   /// Puts `from` in the order of the last sort, by way of `other`.
   template <class V>
@@ -125,11 +137,13 @@ class Sorter {
     std::swap(from, other);
   }
 
-  void operator()(C& columns, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
+  /// `rows`: the numbers of the columns, each row `stride` long.
+  void operator()(Numbers& rows, int stride, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
     const int n = static_cast<int>(ids.extent(0));
     if (n == 0) return;
     const Kokkos::RangePolicy<ExecutionSpace> particles(0, n);
-    detail::CurveKeys<D, C> curve{columns, domain, {}, {}, sort_.keys};
+    const detail::PositionRows positions{rows.data(), static_cast<std::size_t>(stride)};
+    detail::CurveKeys<D> curve{positions, domain, {}, {}, sort_.keys};
     for (int d = 0; d < D; ++d) {
       curve.lo[d] = domain.period[d] > 0 ? domain.lower[d] : all.lo[d];
       const double size = domain.period[d] > 0 ? domain.period[d] : all.hi[d] - all.lo[d];
@@ -140,16 +154,16 @@ class Sorter {
     Kokkos::parallel_for("sort: kd order",
                          Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
                              0, (n + block_size - 1) / block_size, Kokkos::ChunkSize(1)),
-                         detail::OrderBlock<D, C>{columns, sort_.indices, n});
-    Kokkos::parallel_for("sort: permute", particles,
-                         detail::PermuteRows{columns.data, other_.data, C::size, columns.stride, sort_.indices});
-    std::swap(columns.data, other_.data);
+                         detail::OrderBlock<D>{positions, sort_.indices, n});
+    const int count = static_cast<int>(rows.extent(0) / static_cast<std::size_t>(stride));
+    Kokkos::parallel_for("sort: permute", particles, detail::PermuteRows{rows, other_, count, stride, sort_.indices});
+    std::swap(rows, other_);
     permute(ids, other_ids_);
   }
 
  private:
   RadixSort sort_;
-  C other_;
+  Numbers other_;
   Ids other_ids_;
 };
 

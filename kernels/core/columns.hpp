@@ -28,6 +28,7 @@ struct Columns {
   int stride = 0;
 
   Columns() = default;
+  Columns(const Numbers& rows, int row_length) : data(rows), stride(row_length) {}
   Columns(const std::string& label, int n)
       : data(label, static_cast<std::size_t>(size) * padded(n)), stride(padded(n)) {}
 

@@ -58,6 +58,14 @@ KOKKOS_FORCEINLINE_FUNCTION constexpr void for_each_type(List<Ts...>, F&& f) {
   (f.template operator()<Ts>(), ...);
 }
 
+/// Does List Long begin with the types of List Front, in their order?
+template <class Long, class Front>
+inline constexpr bool starts_with = false;
+template <class Long>
+inline constexpr bool starts_with<Long, List<>> = true;
+template <class T, class... Long, class... Front>
+inline constexpr bool starts_with<List<T, Long...>, List<T, Front...>> = starts_with<List<Long...>, List<Front...>>;
+
 template <class Small, class Large>
 inline constexpr bool is_subset = false;
 template <class... Ts, class Large>

@@ -47,10 +47,10 @@ struct ConvergenceSwitch {
   static constexpr const char* name = "convergence switch";
   using Writes = List<Alpha, ViscosityAlpha, DissipationAlpha>;
   using Keeps = List<Alpha>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::SwitchAlpha<typename S::Layout>{run.state});
+                         detail::SwitchAlpha<L>{run.state});
   }
 };
 

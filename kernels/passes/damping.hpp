@@ -20,10 +20,10 @@ struct DampVelocity {
 struct Damping {
   static constexpr const char* name = "damping";
   using Writes = List<>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::DampVelocity<typename S::Layout>{run.state});
+                         detail::DampVelocity<L>{run.state});
   }
 };
 

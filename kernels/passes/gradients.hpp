@@ -4,7 +4,7 @@
 
 #include "kernels/core/polynomial.hpp"
 #include "kernels/passes/pair_loop.hpp"
-#include "kernels/passes/run.hpp"
+#include "kernels/passes/step_passes.hpp"
 
 namespace sphk {
 
@@ -221,17 +221,11 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
 
 }  // namespace detail
 
-/// div v, curl v and grad(div v) from second-order polynomials fitted to the velocities of the neighbours with weights
-/// m_j Wbar (S12 eq 26-28, App. D); linear fits, then the standard SPH estimate, where neighbours are degenerate.
-struct Gradients {
-  static constexpr const char* name = "gradients";
-  using Writes = List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>;
-  using Keeps = Writes;
-  template <class S>
-  static void run(Run<S>& run) {
-    run.fits = {};
-    run_pairs(name, detail::FitVelocity<S>(run.state), Kokkos::Sum<FitCounts>(run.fits));
-  }
-};
+template <class S>
+FitCounts fit_velocities(const State<S>& state) {
+  FitCounts counts;
+  run_pairs("gradients", detail::FitVelocity<S>(state), Kokkos::Sum<FitCounts>(counts));
+  return counts;
+}
 
 }  // namespace sphk

@@ -115,10 +115,10 @@ struct ClosingKick {
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::KickAndDrift<typename S::Layout>{run.state});
+                         detail::KickAndDrift<L>{run.state});
   }
 };
 
@@ -126,12 +126,12 @@ struct KickDrift {
 struct KickTimeStep {
   static constexpr const char* name = "kick and time-step";
   using Writes = List<ThermalRate>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     run.limit = {};
     if (run.state.n == 0) return;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<typename S::Layout>{run.state}, Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<L>{run.state}, Kokkos::Sum<StepLimit>(run.limit));
   }
 };
 

@@ -56,10 +56,11 @@ struct AnyMassRate {
 /// App. E). Nothing where no mass is exchanged.
 struct MassExchange {
   static constexpr const char* name = "mass exchange";
+  static constexpr bool over_pairs = true;
   using Writes = List<>;
   using Keeps = List<HalfStepMass, MassDensityRate, Pressure, InverseDensity>;
   template <class S>
-  static void run(Run<S>& run) {
+  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;
     const auto& state = run.state;
     const Kokkos::RangePolicy<ExecutionSpace> all(0, state.n);
@@ -68,8 +69,8 @@ struct MassExchange {
     if (!any) return;
     Kokkos::parallel_for(name, all, detail::CorrectForMass<L>{state});
     if (state.parameters.mass_correction != MassCorrection::donor) return;
-    add_pair_sums<Reach::gather>("rho's change by exchange", state, TermSet<MassDensityRateSum>(state.parameters),
-                                 state.columns);
+    add_pair_sums<Reach::gather>("rho's change by exchange", State<S>{state, smoothing},
+                                 TermSet<MassDensityRateSum>(state.parameters), state.columns);
     Kokkos::parallel_for(name, all, detail::PayForDensity<L>{state});
   }
 };

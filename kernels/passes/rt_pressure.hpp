@@ -88,14 +88,15 @@ struct TakeEntropyRoot {
 /// A_j^(1/gamma) Wbar]^gamma (R10 eq 54; S12 eq 20). S12's App. A shows where it fails.
 struct RtPressure {
   static constexpr const char* name = "RT pressure";
+  static constexpr bool over_pairs = true;
   using Writes = List<>;
   using Keeps = List<EntropyRoot, Pressure, InverseDensity>;
   template <class S>
-  static void run(Run<S>& run) {
+  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     static_assert(std::is_same_v<typename S::ThermalForm, EntropyForm>, "the RT pressure sums entropies");
     Kokkos::parallel_for("entropy root", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
                          detail::TakeEntropyRoot<typename S::Layout>{run.state});
-    run_pairs(name, detail::SumRtPressure<S>(run.state));
+    run_pairs(name, detail::SumRtPressure<S>(State<S>{run.state, smoothing}));
   }
 };
 

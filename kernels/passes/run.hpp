@@ -1,8 +1,34 @@
 #pragma once
 
-#include "kernels/passes/smoothing_length.hpp"
+#include "kernels/passes/state.hpp"
+#include "kernels/passes/support_search.hpp"
 
 namespace sphk {
+
+/// How the searches of one pass went.
+struct SupportCounts {
+  long evaluations = 0;  ///< of n(h), over all particles
+  long bisections = 0;   ///< particles that needed the safety net
+  long capped = 0;       ///< particles that stay at h_max with too few neighbours
+  long crowded = 0;      ///< coincident particles, more of them than neighbours asked
+  long failed = 0;
+
+  KOKKOS_INLINE_FUNCTION SupportCounts& operator+=(const SupportCounts& b) {
+    evaluations += b.evaluations;
+    bisections += b.bisections;
+    capped += b.capped;
+    crowded += b.crowded;
+    failed += b.failed;
+    return *this;
+  }
+  KOKKOS_INLINE_FUNCTION void count(const SupportSearch& search, SupportSearch::Result result) {
+    evaluations += search.evaluations;
+    bisections += search.bisected;
+    capped += result == SupportSearch::Result::capped;
+    crowded += result == SupportSearch::Result::crowded;
+    failed += result == SupportSearch::Result::failed;
+  }
+};
 
 /// The smallest time-step that a particle asks for, and which one.
 struct StepLimit {
@@ -44,12 +70,12 @@ struct Schedule {
   Kokkos::View<TickRange*, MemorySpace> ranges;   ///< of every node of the tree
 };
 
-/// A run of scheme S between two passes.
-template <class S>
+/// A run of particles of layout L between two passes.
+template <class L>
 struct Run {
-  explicit Run(State<S> loaded) : state(std::move(loaded)) {}
-  State<S> state;
-  Sorter<S::dimension, typename Particles<typename S::Layout>::Columns> sorter;
+  explicit Run(Particles<L> loaded) : state(std::move(loaded)), sorter(state.n, state.columns) {}
+  Particles<L> state;
+  Sorter<L::dimension> sorter;
   double time = 0;
   long step = 0;
   long active_count = 0;  ///< particles computed in the last step
@@ -60,6 +86,22 @@ struct Run {
   StepLimit limit;         ///< of the next step
 };
 
+/// Does pass P run over pairs, so that it needs the scheme's smoothing kernel and pair arithmetic? Other passes know
+/// the layout alone.
+template <class P>
+inline constexpr bool over_pairs = requires {
+  P::over_pairs;
+};
+
+/// Runs pass P of scheme S.
+template <class P, class S>
+void run_pass(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  if constexpr (over_pairs<P>)
+    P::template run<S>(run, smoothing);
+  else
+    P::run(run);
+}
+
 }  // namespace sphk
 
 template <>
@@ -69,4 +111,8 @@ struct Kokkos::reduction_identity<sphk::FitCounts> {
 template <>
 struct Kokkos::reduction_identity<sphk::StepLimit> {
   KOKKOS_FORCEINLINE_FUNCTION static sphk::StepLimit sum() { return {}; }
+};
+template <>
+struct Kokkos::reduction_identity<sphk::SupportCounts> {
+  KOKKOS_FORCEINLINE_FUNCTION static sphk::SupportCounts sum() { return {}; }
 };

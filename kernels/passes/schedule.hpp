@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/passes/run.hpp"
+#include "kernels/passes/step_passes.hpp"
 
 namespace sphk {
 
@@ -176,7 +176,6 @@ void limit_steps(const Particles<L>& state, const Schedule& schedule, Ticks star
 
 }  // namespace detail
 
-/// Gives the active particles steps that begin at `start`, and keeps neighbours within a factor 4 of each other.
 template <class L>
 void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks start) {
   Kokkos::parallel_for("assign steps", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
@@ -184,13 +183,11 @@ void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks sta
   if (schedule.limiter) detail::limit_steps(state, schedule, start);
 }
 
-/// Brings all particles in step in the midst of a block; a new block may begin.
 template <class L>
 void wake_all(const Particles<L>& state) {
   Kokkos::parallel_for("wake all", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::CutShort<L>{state});
 }
 
-/// The tick at which the next steps end.
 template <class L>
 Ticks first_end(const Particles<L>& state) {
   Ticks first = StepClock::block;
@@ -199,35 +196,15 @@ Ticks first_end(const Particles<L>& state) {
   return first;
 }
 
-/// The particles whose steps end now, by cells.
-struct ActiveParticles {
-  static constexpr const char* name = "active particles";
-  using Writes = List<>;
-  template <class S>
-  static void run(Run<S>& run) {
-    auto& state = run.state;
-    run.active_count = state.n;
-    if (!state.clock.individual) return;
-    const Kokkos::RangePolicy<ExecutionSpace> cells(0, state.tree.cells());
-    Kokkos::parallel_reduce("mark active", cells, detail::MarkActive<typename S::Layout>{state},
-                            Kokkos::Sum<long>(run.active_count));
-    Kokkos::parallel_scan("active cells", cells, detail::ListActiveCells{state.active}, state.active.count);
-    state.active.everyone = run.active_count == state.n;
-    run.schedule.updates_since_sort += run.active_count;
-  }
-};
-
-/// The next steps of the active particles (S12 sec 5; Saitoh & Makino 2009), where particles have steps of their own.
-struct NextSteps {
-  static constexpr const char* name = "next steps";
-  using Writes = List<>;
-  template <class S>
-  static void run(Run<S>& run) {
-    StepClock& clock = run.state.clock;
-    if (!clock.individual) return;
-    clock.now = clock.next;
-    if (clock.now > 0 && clock.now < StepClock::block) assign_steps(run.state, run.schedule, clock.now);
-  }
-};
+template <class L>
+long mark_active(Particles<L>& state) {
+  if (!state.clock.individual) return state.n;
+  long count = 0;
+  const Kokkos::RangePolicy<ExecutionSpace> cells(0, state.tree.cells());
+  Kokkos::parallel_reduce("mark active", cells, detail::MarkActive<L>{state}, Kokkos::Sum<long>(count));
+  Kokkos::parallel_scan("active cells", cells, detail::ListActiveCells{state.active}, state.active.count);
+  state.active.everyone = count == state.n;
+  return count;
+}
 
 }  // namespace sphk

@@ -1,35 +1,10 @@
 #pragma once
 
 #include "kernels/passes/pair_loop.hpp"
-#include "kernels/passes/support_search.hpp"
+#include "kernels/passes/step_passes.hpp"
 #include "kernels/terms/velocity_gradient.hpp"
 
 namespace sphk {
-
-/// How the searches of one pass went.
-struct SupportCounts {
-  long evaluations = 0;  ///< of n(h), over all particles
-  long bisections = 0;   ///< particles that needed the safety net
-  long capped = 0;       ///< particles that stay at h_max with too few neighbours
-  long crowded = 0;      ///< coincident particles, more of them than neighbours asked
-  long failed = 0;
-
-  KOKKOS_INLINE_FUNCTION SupportCounts& operator+=(const SupportCounts& b) {
-    evaluations += b.evaluations;
-    bisections += b.bisections;
-    capped += b.capped;
-    crowded += b.crowded;
-    failed += b.failed;
-    return *this;
-  }
-  KOKKOS_INLINE_FUNCTION void count(const SupportSearch& search, SupportSearch::Result result) {
-    evaluations += search.evaluations;
-    bisections += search.bisected;
-    capped += result == SupportSearch::Result::capped;
-    crowded += result == SupportSearch::Result::crowded;
-    failed += result == SupportSearch::Result::failed;
-  }
-};
 
 namespace detail {
 
@@ -248,9 +223,6 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
 
 }  // namespace detail
 
-/// Support radii, n and rho of the active particles by Newton's method from the present h (S12 eq 6, 11), then the
-/// scheme's further sums at the final h. A search ends when its step is below accept * h; n and rho are then carried
-/// over to first order.
 template <class S>
 SupportCounts find_support(const State<S>& state, double accept) {
   SupportCounts counts;
@@ -259,8 +231,3 @@ SupportCounts find_support(const State<S>& state, double accept) {
 }
 
 }  // namespace sphk
-
-template <>
-struct Kokkos::reduction_identity<sphk::SupportCounts> {
-  KOKKOS_FORCEINLINE_FUNCTION static sphk::SupportCounts sum() { return {}; }
-};

@@ -18,6 +18,27 @@ struct Layout {
   using ThermalForm = Form;
 };
 
+/// What every scheme has, first in its columns and in this order. Code that needs no more is compiled once, for all
+/// schemes.
+using BaseFields = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support,
+                        InverseSupport, NumberDensity, NumberDensitySlope, Density, Acceleration, MaxSignalVelocity>;
+template <class L>
+using BaseLayout = Layout<L::dimension, BaseFields, typename L::ThermalForm>;
+
+/// What the loops for density and gradients know beside it: next in the columns, of those that a scheme has.
+using CoreFields = List<VelocityDivergence, VelocityCurl, DensitySlope, GradVelocityDivergence>;
+
+/// What the loops for density and gradients know of a scheme. Schemes that agree in it share these loops.
+template <class L, class K, class T, class DensitySums>
+struct CoreScheme {
+  static constexpr int dimension = L::dimension;
+  using Layout = L;
+  using Fields = typename L::Fields;
+  using Kernel = K;
+  using PairNumber = T;
+  using DensityTerms = DensitySums;
+};
+
 /// The particles whose step ends now: all of them, or those of the masks. Pair loops compute these alone.
 struct ActiveSet {
   bool everyone = true;
@@ -52,6 +73,21 @@ struct Particles {
   ActiveSet active{};
   StepClock clock{};
 
+  /// The same particles for code that knows the first fields of the layout alone.
+  template <class Front>
+  Particles<Front> front() const {
+    static_assert(starts_with<typename L::Fields, typename Front::Fields>);
+    return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock};
+  }
+  /// Takes over what such code has changed.
+  template <class Front>
+  void adopt(const Particles<Front>& changed) {
+    columns.data = changed.columns.data;
+    ids = changed.ids;
+    active = changed.active;
+    clock = changed.clock;
+  }
+
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {
     return columns.template at<F>(i, component);
@@ -62,10 +98,13 @@ struct Particles {
   }
 };
 
+template <class S>
+using SmoothingOf = Smoothing<typename S::Kernel, S::dimension>;
+
 /// Particles and the smoothing kernel that pair loops need.
 template <class S>
 struct State : Particles<typename S::Layout> {
-  Smoothing<typename S::Kernel, S::dimension> smoothing;
+  SmoothingOf<S> smoothing;
 };
 
 }  // namespace sphk

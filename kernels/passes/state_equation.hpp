@@ -91,10 +91,10 @@ struct EvaluateGradH {
 struct StateEquation {
   static constexpr const char* name = "equation of state";
   using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, Balsara>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateState<typename S::Layout>{run.state});
+                         detail::EvaluateState<L>{run.state});
   }
 };
 
@@ -103,10 +103,10 @@ struct GradH {
   static constexpr const char* name = "grad-h";
   using Writes = List<GradHMass>;
   using Keeps = List<GradHMass, DensitySlope>;
-  template <class S>
-  static void run(Run<S>& run) {
+  template <class L>
+  static void run(Run<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateGradH<typename S::Layout>{run.state});
+                         detail::EvaluateGradH<L>{run.state});
   }
 };
 

@@ -1,70 +1,128 @@
 #pragma once
 
 #include "kernels/passes/convergence_switch.hpp"
-#include "kernels/passes/gradients.hpp"
 #include "kernels/passes/mass_exchange.hpp"
 #include "kernels/passes/rates.hpp"
 #include "kernels/passes/run.hpp"
-#include "kernels/passes/schedule.hpp"
 
 namespace sphk {
 
-/// Boxes of the cells; every ten steps (or as many updates), and when a particle strays half a period out of a periodic
-/// box, the particles are sorted in space again and wrapped.
+// What many schemes share is compiled apart from them: the templates below know the first fields of a layout alone.
+
+/// Steps between two sorts; with steps of the particles' own, updates of each.
+inline constexpr int sort_interval = 10;
+
+/// Fits the boxes of the cells; every sort_interval steps, and when a particle strays half a period out of a periodic
+/// box, sorts the particles in space again and wraps them. Defined in sorted_cells.hpp.
+template <class L>
+void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& schedule, long step);
+
+/// Fits the boxes of the cells to positions and supports. Defined in sorted_cells.hpp.
+template <class L>
+void fit_cells(const Particles<L>& state);
+
+/// Marks the particles whose steps end now, by cells, and counts them. This and the following: in schedule.hpp.
+template <class L>
+long mark_active(Particles<L>& state);
+
+/// Gives the active particles steps that begin at `start`, and keeps neighbours within a factor 4 of each other.
+template <class L>
+void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks start);
+
+/// Brings all particles in step in the midst of a block; a new block may begin.
+template <class L>
+void wake_all(const Particles<L>& state);
+
+/// The tick at which the next steps end.
+template <class L>
+Ticks first_end(const Particles<L>& state);
+
+/// Support radii, n and rho of the active particles by Newton's method from the present h (S12 eq 6, 11), then the
+/// scheme's further sums at the final h. A search ends when its step is below accept * h; n and rho are then carried
+/// over to first order. Defined in smoothing_length.hpp.
+template <class S>
+SupportCounts find_support(const State<S>& state, double accept);
+
+/// div v, curl v and grad(div v) from second-order polynomials fitted to the velocities of the neighbours with weights
+/// m_j Wbar (S12 eq 26-28, App. D); linear fits, then the standard SPH estimate, where neighbours are degenerate.
+/// Defined in gradients.hpp.
+template <class S>
+FitCounts fit_velocities(const State<S>& state);
+
+/// Boxes of the cells; now and then the order of the particles in space.
 struct SortedCells {
   static constexpr const char* name = "cells";
-  static constexpr int sort_interval = 10;
   using Writes = List<>;
-  template <class S>
-  static void run(Run<S>& run) {
-    sort(run.state, run.sorter, run.schedule, run.step);
+  template <class L>
+  static void run(Run<L>& run) {
+    auto base = run.state.template front<BaseLayout<L>>();
+    sort_cells(base, run.sorter, run.schedule, run.step);
+    run.state.adopt(base);
   }
+};
 
- private:
-  template <class L, class Sorter>
-  static void sort(Particles<L>& state, Sorter& sorter, Schedule& schedule, long step) {
-    fit(state.tree, state.columns);
-    const auto all = bounds_of_all(state.tree);
-    StepClock& clock = state.clock;
-    const bool due = clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n)
-                                      : step % sort_interval == 0;
-    if (!due && !strayed(state.tree.domain, all)) return;
-    sorter(state.columns, state.ids, state.tree.domain, all);
-    if (clock.individual) {
-      sorter.permute(clock.begin, schedule.other);
-      sorter.permute(clock.end, schedule.other);
-      schedule.updates_since_sort = 0;
-    }
-    fit(state.tree, state.columns);
-  }
-  template <int D>
-  static bool strayed(const Domain<D>& domain, const Bounds<D>& all) {
-    for (int d = 0; d < D; ++d) {
-      const double period = domain.period[d], middle = domain.lower[d] + 0.5 * period;
-      if (period > 0 && !(all.lo[d] > middle - period && all.hi[d] < middle + period)) return true;
-    }
-    return false;
+/// The particles whose steps end now.
+struct ActiveParticles {
+  static constexpr const char* name = "active particles";
+  using Writes = List<>;
+  template <class L>
+  static void run(Run<L>& run) {
+    auto base = run.state.template front<BaseLayout<L>>();
+    run.active_count = mark_active(base);
+    run.schedule.updates_since_sort += run.active_count;
+    run.state.adopt(base);
   }
 };
 
 /// Support radii and the gather sums; the cells learn the new radii.
 struct SmoothingLength {
   static constexpr const char* name = "smoothing length and density";
+  static constexpr bool over_pairs = true;
   using Writes = List<>;
   template <class S>
-  static void run(Run<S>& run) {
-    run.searches = find_support(run.state, run.accept);
-    fit(run.state.tree, run.state.columns);
+  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+    using Core = typename S::Core;
+    run.searches = find_support(State<Core>{run.state.template front<typename Core::Layout>(), smoothing}, run.accept);
+    fit_cells(run.state.template front<BaseLayout<typename S::Layout>>());
+  }
+};
+
+/// Fitted gradients of the velocity.
+struct Gradients {
+  static constexpr const char* name = "gradients";
+  static constexpr bool over_pairs = true;
+  using Writes = List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>;
+  using Keeps = Writes;
+  template <class S>
+  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+    using Core = typename S::Core;
+    run.fits = fit_velocities(State<Core>{run.state.template front<typename Core::Layout>(), smoothing});
   }
 };
 
 /// All terms in one loop over pairs.
 struct Rates {
   static constexpr const char* name = "rates";
+  static constexpr bool over_pairs = true;
   using Writes = List<>;
   template <class S>
-  static void run(Run<S>& run) {
-    add_pair_sums(name, run.state, typename S::RateTerms(run.state.parameters), run.state.columns);
+  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+    add_pair_sums(name, State<S>{run.state, smoothing}, typename S::RateTerms(run.state.parameters),
+                  run.state.columns);
+  }
+};
+
+/// The next steps of the active particles (S12 sec 5; Saitoh & Makino 2009), where particles have steps of their own.
+struct NextSteps {
+  static constexpr const char* name = "next steps";
+  using Writes = List<>;
+  template <class L>
+  static void run(Run<L>& run) {
+    StepClock& clock = run.state.clock;
+    if (!clock.individual) return;
+    clock.now = clock.next;
+    if (clock.now > 0 && clock.now < StepClock::block)
+      assign_steps(run.state.template front<BaseLayout<L>>(), run.schedule, clock.now);
   }
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "kernels/smoothing/johnson.hpp"
 #include "kernels/terms/apart.hpp"
 #include "kernels/terms/neighbour_count.hpp"
 #include "kernels/terms/zeroth_order_error.hpp"
@@ -10,34 +9,6 @@ namespace sphk {
 
 namespace detail {
 
-struct CountRange {
-  double lowest = 1e300, highest = 0, sum = 0;
-  KOKKOS_INLINE_FUNCTION CountRange& operator+=(const CountRange& b) {
-    lowest = min(lowest, b.lowest);
-    highest = max(highest, b.highest);
-    sum += b.sum;
-    return *this;
-  }
-};
-
-template <class C>
-struct RangeOfCounts {
-  C columns;
-  KOKKOS_INLINE_FUNCTION void operator()(int i, CountRange& range) const {
-    const double count = columns.template at<NeighbourCount>(i);
-    range += {count, count, count};
-  }
-};
-
-/// A pair loop that needs no smoothing kernel; any serves.
-template <class L>
-struct Counting {
-  static constexpr int dimension = L::dimension;
-  using Layout = L;
-  using Kernel = Johnson;
-  using PairNumber = float;
-};
-
 /// The sums of `Terms` over symmetric pairs, apart from the state.
 template <class Terms, class S>
 auto sums_apart(const State<S>& state) {
@@ -46,48 +17,16 @@ auto sums_apart(const State<S>& state) {
   return out;
 }
 
-}  // namespace detail
-}  // namespace sphk
-
-template <>
-struct Kokkos::reduction_identity<sphk::detail::CountRange> {
-  KOKKOS_FORCEINLINE_FUNCTION static sphk::detail::CountRange sum() { return {}; }
-};
-
-namespace sphk {
-
-template <int D>
-using CountColumns = Columns<D, List<NeighbourCount>>;
-
-/// True neighbours, r < h_i, self included: into `counts`, and their minimum, mean and maximum into the report.
-template <class L>
-void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report) {
-  const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
-  add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(particles.parameters), counts);
-  detail::CountRange range;
-  Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),
-                          detail::RangeOfCounts<CountColumns<L::dimension>>{counts},
-                          Kokkos::Sum<detail::CountRange>(range));
-  report.min_neighbours = range.lowest;
-  report.max_neighbours = range.highest;
-  report.mean_neighbours = range.sum / particles.n;
-}
-
-namespace detail {
-
 /// Appends what a set of columns holds for field F to `fields`, in the order of ids.
 template <class F, class L, class C>
 Field apart_field(const HostColumns<L>& host, const C& columns, std::string name, std::string description,
                   UnitExponents units, bool is_vector) {
+  HostRows sums = host;
+  sums.data = on_host(columns.data);
+  sums.stride = static_cast<std::size_t>(columns.stride);
   constexpr int D = L::dimension;
-  const HostNumbers data = on_host(columns.data);
-  Field out{std::move(name), std::move(description), units, is_vector ? 3 : 1, {}};
-  out.values.assign(host.order.size() * out.components, 0.0);
-  for (std::size_t i = 0; i < host.order.size(); ++i)
-    for (int k = 0; k < components<F, D>; ++k)
-      out.values[i * out.components + k] = data(
-          (component_offset<D, F, typename C::Fields> + k) * static_cast<std::size_t>(columns.stride) + host.order[i]);
-  return out;
+  return sums.field(std::move(name), std::move(description), units, is_vector ? 3 : 1,
+                    component_offset<D, F, typename C::Fields>, components<F, D>, 0);
 }
 
 /// What term T adds, as fields named after it: AccelerationViscosity, HeatingViscosity, ...
@@ -122,7 +61,7 @@ std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool sp
   constexpr int D = L::dimension;
   using Form = typename L::ThermalForm;
   using Fields = typename L::Fields;
-  const detail::HostColumns<L> host(state);
+  const HostColumns<L> host(state);
   const double gamma = state.parameters.gamma;
   std::vector<Field> fields;
   fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
@@ -131,7 +70,7 @@ std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool sp
   fields.push_back(host.template field<VelocityCurl>("VelocityCurl", "curl v", {0, 0, -1}));
   fields.push_back(host.template field<Acceleration>("Acceleration", "dv/dt of all terms", {1, 0, -2}));
   const UnitExponents entropy_rate{2 + D * (gamma - 1), 1 - gamma, -3};
-  fields.push_back(detail::scalar_field(host, "EntropyRate", "dA/dt of all terms", entropy_rate, [&](int i) {
+  fields.push_back(host.scalar("EntropyRate", "dA/dt of all terms", entropy_rate, [&](int i) {
     const double rho = host.template at<Density>(i);
     const double work =
         -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
@@ -139,7 +78,7 @@ std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool sp
   }));
   if constexpr (contains<GradVelocityDivergence, Fields>) {
     fields.push_back(host.template field<GradVelocityDivergence>("GradVelocityDivergence", "grad(div v)", {-1, 0, -1}));
-    fields.push_back(detail::scalar_field(host, "AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {
+    fields.push_back(host.scalar("AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {
       double grad2 = 0;
       for (int d = 0; d < D; ++d) grad2 += std::pow(host.template at<GradVelocityDivergence>(i, d), 2);
       return detail::local_alpha(host.template at<Support>(i), host.template at<VelocityDivergence>(i),

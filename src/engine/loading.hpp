@@ -1,8 +1,6 @@
 #pragma once
 
-#include "kernels/passes/step_passes.hpp"
-#include "src/engine/particle_set.hpp"
-#include "src/engine/simulation.hpp"
+#include "src/engine/base.hpp"
 
 namespace sphk {
 
@@ -16,82 +14,6 @@ double support_cap(const ParticleSet& particles, const SimulationSettings& setti
 /// The numbers that passes and terms read.
 Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings);
 
-namespace detail {
-
-/// A first support radius from the volume of each particle's cell: the searches start near their ends.
-template <class L>
-struct GuessSupport {
-  Particles<L> state;
-  double fallback;  ///< where a cell has no volume
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    constexpr int D = L::dimension;
-    if (state.template at<Support>(i) > 0) return;
-    const int cell = i / cell_size;
-    const Bounds<D>& b = state.tree.node(1, cell);
-    const int held = min(cell_size, state.n - cell * cell_size);
-    double longest = 0, volume = 1;
-    for (int d = 0; d < D; ++d) longest = max(longest, b.hi[d] - b.lo[d]);
-    for (int d = 0; d < D; ++d) volume *= max(b.hi[d] - b.lo[d], 0.1 * longest);
-    const double per_neighbour = volume / (held * unit_sphere<D>);
-    const double h = Kokkos::pow(state.parameters.neighbours * per_neighbour, 1.0 / D);
-    state.template at<Support>(i) = min(longest > 0 ? h : fallback, state.parameters.h_max);
-  }
-};
-
-/// Turns the loaded specific energies into the scheme's thermal variable, with the standard density.
-template <class L>
-struct ThermalFromEnergy {
-  Particles<L> state;
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    double& s = state.template at<Thermal>(i);
-    s = L::ThermalForm::from_energy(s, state.template at<Density>(i), state.parameters.gamma);
-  }
-};
-
-template <class L>
-void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
-  constexpr int D = L::dimension;
-  auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
-  auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
-  using C = typename Particles<L>::Columns;
-  const auto row = [&]<class F>(F, int component) {
-    return host.data() +
-           (component_offset<D, F, typename C::Fields> + component) * static_cast<std::size_t>(state.columns.stride);
-  };
-  for (int i = 0; i < state.n; ++i) {
-    for (int d = 0; d < D; ++d) {
-      row(Position{}, d)[i] = particles.x[i][d];
-      row(Velocity{}, d)[i] = particles.v[i][d];
-    }
-    row(Mass{}, 0)[i] = particles.m[i];
-    row(Thermal{}, 0)[i] = particles.u[i];
-    row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
-    if constexpr (contains<Alpha, typename C::Fields>)
-      row(Alpha{}, 0)[i] = particles.alpha.empty() ? 0 : particles.alpha[i];
-    ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
-  }
-  Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);
-  Kokkos::deep_copy(ExecutionSpace(), state.ids, ids);
-  ExecutionSpace().fence("load particles");
-}
-
-/// Room for steps of the particles' own; all of them are at the start of a block.
-template <class L>
-void allow_individual_steps(Particles<L>& state, Schedule& schedule, const SimulationSettings& settings) {
-  const int n = state.n;
-  state.clock.individual = true;
-  state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
-  state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
-  state.active.masks = Kokkos::View<TargetMask*, MemorySpace>("active particles", state.tree.cells());
-  state.active.cell_numbers = Kokkos::View<int*, MemorySpace>("active cells", state.tree.cells());
-  schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
-  schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
-  schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
-  schedule.limiter = settings.step_limiter;
-  if (settings.max_dt > 0) schedule.longest = settings.max_dt;
-  Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block);
-}
-
 /// Particles as they are given, in columns.
 template <class L>
 Particles<L> load_particles(const ParticleSet& given, const SimulationSettings& settings) {
@@ -104,29 +26,46 @@ Particles<L> load_particles(const ParticleSet& given, const SimulationSettings& 
   }
   const Particles<L> particles{n, typename Particles<L>::Columns("particles", n), Ids("ids", n),
                                CellTree<D>(n, domain), parameters_of(given, settings)};
-  copy_to_columns(particles, given);
+  copy_to_columns(particles.template front<BaseLayout<L>>(), given);
+  if constexpr (contains<Alpha, typename L::Fields>)
+    if (!given.alpha.empty())
+      Kokkos::deep_copy(Kokkos::View<double*, MemorySpace, Kokkos::MemoryUnmanaged>(
+                            particles.columns.template row<Alpha>(), given.alpha.size()),
+                        Kokkos::View<const double*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged>(given.alpha.data(),
+                                                                                               given.alpha.size()));
   return particles;
 }
 
-}  // namespace detail
-
-/// Particles on the device, sorted, with supports, densities and the scheme's thermal variable.
-template <class S>
-Run<S> load_run(const ParticleSet& particles, const SimulationSettings& settings, const typename S::Kernel& kernel) {
-  using L = typename S::Layout;
-  Run<S> run{
-      State<S>{detail::load_particles<L>(particles, settings), Smoothing<typename S::Kernel, S::dimension>(kernel)}};
-  run.sorter = Sorter<S::dimension, typename Particles<L>::Columns>(run.state.n);
+/// Particles on the device, sorted, with supports, densities and the scheme's thermal variable. `accept`: how near a
+/// search for h must come; `find_supports(run)` runs the pass for them.
+template <class L, class FindSupports>
+Run<L> load_run(const ParticleSet& particles, const SimulationSettings& settings, double accept,
+                const FindSupports& find_supports) {
+  Run<L> run(load_particles<L>(particles, settings));
   run.time = particles.time;
-  run.accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
-  if (settings.individual_steps) detail::allow_individual_steps(run.state, run.schedule, settings);
+  run.accept = accept;
+  if (settings.individual_steps) {
+    auto base = run.state.template front<BaseLayout<L>>();
+    allow_individual_steps(base, run.schedule, settings);
+    run.state.adopt(base);
+  }
   SortedCells::run(run);
-  const Kokkos::RangePolicy<ExecutionSpace> all(0, run.state.n);
-  Kokkos::parallel_for("guess support", all,
-                       detail::GuessSupport<L>{run.state, support_of_even_gas(particles, settings)});
-  SmoothingLength::run(run);
-  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<L>{run.state});
+  const auto base = run.state.template front<BaseLayout<L>>();
+  guess_supports(base, support_of_even_gas(particles, settings));
+  find_supports(run);
+  thermal_from_energy(base);
   return run;
+}
+
+/// How near the first searches for h must come to their roots: to what the pair arithmetic can tell.
+template <class S>
+inline constexpr double first_accept = std::is_same_v<typename S::PairNumber, float> ? 1e-4 : 1e-7;
+
+template <class S>
+Run<typename S::Layout> load_run(const ParticleSet& particles, const SimulationSettings& settings,
+                                 const SmoothingOf<S>& smoothing) {
+  return load_run<typename S::Layout>(particles, settings, first_accept<S>,
+                                      [&](auto& run) { SmoothingLength::run<S>(run, smoothing); });
 }
 
 }  // namespace sphk

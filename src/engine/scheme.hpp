@@ -27,6 +27,28 @@ struct Passes {
   using Keeps = Union<typename detail::KeptBy<P>::type...>;
 };
 
+/// Calls f.template operator()<P>() for every pass P.
+template <class... P, class F>
+void for_each_pass(Passes<P...>, F&& f) {
+  (f.template operator()<P>(), ...);
+}
+
+/// The place of pass P in a step.
+template <class P, class... All>
+constexpr int place_of(Passes<All...>) {
+  int place = 0;
+  const bool found = ((std::is_same_v<P, All> || (++place, false)) || ...);
+  return found ? place : -1;
+}
+
+/// What schemes have in common that differ in smoothing kernel and pair arithmetic alone.
+template <class L, class StepPasses, class TermList>
+struct Model {
+  using Layout = L;
+  using Steps = StepPasses;
+  using Terms = TermList;
+};
+
 /// A scheme: dimension, smoothing kernel, pair arithmetic (float or double), thermal variable, the sums of the density
 /// loop beside n and rho, the terms of the rates loop and the passes of a step. What is not listed is not compiled, not
 /// allocated, not run.
@@ -40,17 +62,19 @@ struct Scheme {
   using RateTerms = Terms;
   using Steps = StepPasses;
 
-  using Base = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support,
-                    InverseSupport, NumberDensity, NumberDensitySlope, Density>;
-  using Known = Union<Base, typename DensityTerms::Adds, typename StepPasses::Writes, typename StepPasses::Keeps>;
+  using Known = Union<BaseFields, typename DensityTerms::Adds, typename StepPasses::Writes, typename StepPasses::Keeps>;
   static_assert(is_subset<typename RateTerms::Reads, Known>,
                 "a term reads a field that no pass of this scheme computes: add the pass or the density sum that does");
 
-  using Layout = sphk::Layout<D,
-                              Union<Base, typename DensityTerms::Reads, typename DensityTerms::Adds,
-                                    typename RateTerms::Reads, typename RateTerms::Adds, typename StepPasses::Keeps>,
-                              Form>;
+  using All = Union<BaseFields, typename DensityTerms::Reads, typename DensityTerms::Adds, typename RateTerms::Reads,
+                    typename RateTerms::Adds, typename StepPasses::Keeps>;
+  template <class F>
+  using IsListed = std::bool_constant<contains<F, All>>;
+  using CoreList = Union<BaseFields, Filter<CoreFields, IsListed>>;
+  using Core = CoreScheme<sphk::Layout<D, CoreList, void>, K, T, DensitySums>;
+  using Layout = sphk::Layout<D, Union<CoreList, All>, Form>;
   using Fields = typename Layout::Fields;
+  using Model = sphk::Model<Layout, StepPasses, typename Terms::List>;
 };
 
 }  // namespace sphk

@@ -20,12 +20,16 @@ K make_kernel(const std::string& name) {
 
 template <class S>
 std::unique_ptr<Simulation> make_engine(const ParticleSet& particles, const SimulationSettings& settings) {
-  return std::make_unique<Engine<S>>(particles, settings, make_kernel<typename S::Kernel>(settings.kernel));
+  return std::make_unique<Engine<typename S::Model>>(
+      particles, settings, std::make_unique<PairPassesOf<S>>(make_kernel<typename S::Kernel>(settings.kernel)));
 }
 
 /// What schemes that differ in kernel and pair arithmetic alone have in common.
-template <class Steps, class Terms, class L>
-SchemeDescription describe_layout() {
+template <class M>
+SchemeDescription describe_model() {
+  using L = typename M::Layout;
+  using Steps = typename M::Steps;
+  using Terms = typename M::Terms;
   SchemeDescription description;
   description.dimension = L::dimension;
   [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(Steps{});
@@ -42,10 +46,9 @@ SchemeDescription describe_layout() {
 
 template <class S>
 SchemeDescription describe_scheme() {
-  SchemeDescription description =
-      describe_layout<typename S::Steps, typename S::RateTerms::List, typename S::Layout>();
+  SchemeDescription description = describe_model<typename S::Model>();
   description.precision = std::is_same_v<typename S::PairNumber, float> ? "mixed" : "double";
-  description.bytes_per_particle = bytes_per_particle<S>;
+  description.bytes_per_particle = bytes_per_particle<typename S::Layout>;
   description.flops_per_pair = flops_per_pair<S>();
   return description;
 }

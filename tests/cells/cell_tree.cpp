@@ -34,9 +34,9 @@ struct Cloud {
     }
   }
   void sort() {
-    Sorter<D, Columns<D, Fields>> sorter(tree.n);
+    Sorter<D> sorter(tree.n, columns);
     fit(tree, columns);
-    sorter(columns, ids, tree.domain, bounds_of_all(tree));
+    sorter(columns.data, columns.stride, ids, tree.domain, bounds_of_all(tree));
     fit(tree, columns);
   }
 };

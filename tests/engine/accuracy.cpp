@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "src/scenes/scenes.hpp"
 #include "src/schemes/registry.hpp"
@@ -49,15 +50,23 @@ TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
 }
 
 /// Gresho's vortex, 32 x 32 x 8 lattice, t = 1: GADGET-2 0.174 with 50 neighbours; S12 Fig. 6 has CS42 always above
-/// 0.10.
+/// 0.10. The lattice breaks up by chance: runs that differ in a digit scatter, and GADGET-2's figure is of one such run.
 TEST(Accuracy, gresho_with_50_neighbours_is_that_of_gadget2) {
-  const Result gresho = run_scene("gresho", {{"scene.n", "32"},
-                                             {"scene.layers", "8"},
-                                             {"sph.scheme", "gadget2"},
-                                             {"sph.neighbours", "50"},
-                                             {"time.end", "1"}});
-  EXPECT_LE(gresho.errors.at("v").l1, 0.174);
-  EXPECT_GE(gresho.errors.at("v").l1, 0.10);
+  std::vector<double> l1;
+  for (const char* neighbours : {"49.98", "49.99", "50", "50.01"})
+    l1.push_back(run_scene("gresho", {{"scene.n", "32"},
+                                      {"scene.layers", "8"},
+                                      {"sph.scheme", "gadget2"},
+                                      {"sph.neighbours", neighbours},
+                                      {"time.end", "1"}})
+                     .errors.at("v")
+                     .l1);
+  const double n = double(l1.size()), mean = std::accumulate(l1.begin(), l1.end(), 0.0) / n;
+  double variance = 0;
+  for (const double each : l1) variance += (each - mean) * (each - mean) / (n - 1);
+  EXPECT_LE(mean, 0.174 + 3 * std::sqrt(variance * (1 + 1 / n)));
+  EXPECT_LT(variance, 0.01 * 0.174 * 0.174) << "a scatter of a tenth would let anything pass";
+  EXPECT_GE(mean, 0.10);
 }
 
 /// Sedov's blast: the shock stands at r = 1.15 (E t^2/rho)^(1/5); S12 conserve energy to 5 %. The densest spherical

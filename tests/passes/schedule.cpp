@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "kernels/passes/schedule.hpp"
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/loading.hpp"
 #include "src/schemes/gadget2.hpp"
@@ -15,13 +17,13 @@ namespace {
 using S = Gadget2<3, CubicSpline, double>;
 
 struct ScheduleTest : testing::Test {
-  sphk::Run<S> run = loaded();
+  sphk::Run<S::Layout> run = loaded();
 
-  static sphk::Run<S> loaded() {
+  static sphk::Run<S::Layout> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
     settings.individual_steps = true;
-    auto run = load_run<S>(shaken_lattice(3, {12, 9, 8}, 0.3, true, 21), settings, CubicSpline{});
+    auto run = load_run<S>(shaken_lattice(3, {12, 9, 8}, 0.3, true, 21), settings, SmoothingOf<S>(CubicSpline{}));
     StateEquation::run(run);
     run.state.clock.tick = 1.0 / static_cast<double>(StepClock::block);
     return run;

@@ -2,6 +2,7 @@
 // another order.
 #include <gtest/gtest.h>
 
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/loading.hpp"
 #include "src/schemes/gadget2.hpp"
@@ -14,12 +15,13 @@ using S = Gadget2<3, CubicSpline, double>;
 using Adds = S::RateTerms::Adds;
 
 struct ThreadWalkTest : testing::Test {
-  sphk::Run<S> run = loaded();
+  static inline const SmoothingOf<S> smoothing{CubicSpline{}};
+  sphk::Run<S::Layout> run = loaded();
 
-  static sphk::Run<S> loaded() {
+  static sphk::Run<S::Layout> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
-    auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, CubicSpline{});
+    auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, smoothing);
     StateEquation::run(run);
     return run;
   }
@@ -38,10 +40,11 @@ void expect_close(const std::vector<double>& a, const std::vector<double>& b, do
 TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
   const S::RateTerms terms(run.state.parameters);
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
-  add_pair_sums("tiles", run.state, terms, tiles);
+  const State<S> state{run.state, smoothing};
+  add_pair_sums("tiles", state, terms, tiles);
   Kokkos::parallel_for(
       "threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-      detail::PairSums<Reach::symmetric, S, S::RateTerms, Columns<3, Adds>>(run.state, terms, threads));
+      detail::PairSums<Reach::symmetric, S, S::RateTerms, Columns<3, Adds>>(state, terms, threads));
   Kokkos::fence();
   expect_close(field<Acceleration>(threads), field<Acceleration>(tiles), 1e-13);
   expect_close(field<Heating>(threads), field<Heating>(tiles), 1e-13);
@@ -53,7 +56,7 @@ TEST_F(ThreadWalkTest, supports_equal_those_of_the_tiles) {
   for (int i = 0; i < run.state.n; ++i) run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
   SupportCounts counts;
   Kokkos::parallel_reduce("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                          detail::FindSupport<S>(run.state, 1e-7), Kokkos::Sum<SupportCounts>(counts));
+                          detail::FindSupport<S>(State<S>{run.state, smoothing}, 1e-7), Kokkos::Sum<SupportCounts>(counts));
   EXPECT_GT(counts.evaluations, run.state.n) << "the starts are off by 30 and 50 %";
   EXPECT_EQ(counts.failed + counts.capped + counts.crowded, 0);
   expect_close(field<Support>(run.state.columns), h, 1e-12);

@@ -1,6 +1,7 @@
 #include <Kokkos_Core.hpp>
 #include <cstdio>
 
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/engine.hpp"
 #include "src/schemes/gadget2.hpp"
@@ -30,7 +31,8 @@ double fastest_after_one_step() {
   sphk::SimulationSettings settings;
   settings.neighbours = D == 1 ? 5 : D == 2 ? 14 : 48;
   using Scheme = sphk::Gadget2<D, sphk::CubicSpline, double>;
-  sphk::Engine<Scheme> engine(gas, settings, sphk::CubicSpline{});
+  sphk::Engine<typename Scheme::Model> engine(gas, settings,
+                                     std::make_unique<sphk::PairPassesOf<Scheme>>(sphk::CubicSpline{}));
   engine.step(1.0);
   return engine.totals().max_speed;
 }

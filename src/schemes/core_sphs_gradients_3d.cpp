@@ -1,0 +1,8 @@
+#include "src/schemes/core_loops.hpp"
+#include "src/schemes/sphs.hpp"
+
+namespace sphk {
+
+[[gnu::used]] static const auto space = gradient_loops<Sphs, 3>(List<Hoct<4>>{});
+
+}  // namespace sphk
