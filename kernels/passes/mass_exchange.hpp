@@ -2,6 +2,7 @@
 
 #include "kernels/passes/rates.hpp"
 #include "kernels/passes/run.hpp"
+#include "kernels/passes/state_equation.hpp"
 #include "kernels/terms/mass_dissipation.hpp"
 
 namespace sphk {
@@ -68,7 +69,8 @@ struct MassExchange {
     Kokkos::parallel_reduce("any exchange of mass", all, detail::AnyMassRate<L>{state}, Kokkos::LOr<int>(any));
     if (!any) return;
     Kokkos::parallel_for(name, all, detail::CorrectForMass<L>{state});
-    if (state.parameters.mass_correction != MassCorrection::donor) return;
+    if (state.parameters.mass_correction != MassCorrection::donor || !std::is_same_v<typename L::ThermalForm, EntropyForm>)
+      return;  // u does not change with rho, only A's energy does
     add_pair_sums<Reach::gather>("rho's change by exchange", State<S>{state, smoothing},
                                  TermSet<MassDensityRateSum>(state.parameters), state.columns);
     Kokkos::parallel_for(name, all, detail::PayForDensity<L>{state});

@@ -1,4 +1,5 @@
 #include "kernels/passes/damping.hpp"
+#include "kernels/passes/smoothing_length.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "src/schemes/classic.hpp"

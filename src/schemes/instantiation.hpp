@@ -33,6 +33,8 @@ Instantiations tsph_1d(), tsph_2d(), tsph_3d();
 Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
 Instantiations sphs_1d(), sphs_2d(), sphs_3d();
 Instantiations sphs_multi_1d(), sphs_multi_2d(), sphs_multi_3d();
+Instantiations sphs_energy_1d(), sphs_energy_2d(), sphs_energy_3d();
+Instantiations sphs_energy_multi_1d(), sphs_energy_multi_2d(), sphs_energy_multi_3d();
 Instantiations sphs_conservative_1d(), sphs_conservative_2d(), sphs_conservative_3d();
 Instantiations sphs_rt();
 Instantiations glass();

@@ -36,12 +36,18 @@ const Instantiations& table() {
                               sphs_multi_1d,
                               sphs_multi_2d,
                               sphs_multi_3d,
+                              sphs_energy_1d,
+                              sphs_energy_2d,
+                              sphs_energy_3d,
+                              sphs_energy_multi_1d,
+                              sphs_energy_multi_2d,
+                              sphs_energy_multi_3d,
                               sphs_conservative_1d,
                               sphs_conservative_2d,
                               sphs_conservative_3d, sphs_rt, glass})
       for (Instantiation& row : source()) {
         rows.push_back(row);
-        if (row.scheme != "sphs") continue;
+        if (row.scheme != "sphs" || row.energy != "entropy") continue;
         row.scheme = "sphs-morris";  // the same code with another number
         rows.push_back(row);
       }

@@ -4,6 +4,7 @@
 #include "kernels/terms/mass_dissipation.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
+#include "kernels/terms/pressure_work_tsph.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "kernels/terms/viscosity_switched.hpp"
 #include "src/engine/scheme.hpp"
@@ -30,6 +31,18 @@ struct SphsMulti
     : Scheme<D, K, T, EntropyForm, TermSet<>,
              TermSet<PressureGradientTsph, ViscositySwitched, EntropyDissipation, MassDissipation, SignalVelocity>,
              SphsPasses<>::With<MassExchange>> {};
+
+/// Both with u in place of A: eq 7 conserves energy with the work that it does, not with a constant A.
+template <int D, class K, class T>
+struct SphsEnergy
+    : Scheme<D, K, T, EnergyForm, TermSet<>,
+             TermSet<PressureGradientTsph, PressureWorkTsph, ViscositySwitched, EntropyDissipation, SignalVelocity>,
+             SphsPasses<>::With<>> {};
+template <int D, class K, class T>
+struct SphsEnergyMulti : Scheme<D, K, T, EnergyForm, TermSet<>,
+                                TermSet<PressureGradientTsph, PressureWorkTsph, ViscositySwitched, EntropyDissipation,
+                                        MassDissipation, SignalVelocity>,
+                                SphsPasses<>::With<MassExchange>> {};
 
 /// With the conservative momentum equation (S12 App. B).
 template <int D, class K, class T>
