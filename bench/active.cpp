@@ -7,7 +7,7 @@
 #include "kernels/passes/gradients.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/loading.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/schemes/sphs.hpp"
 
 namespace sphk::bench {
@@ -16,7 +16,7 @@ namespace {
 using S = Sphs<3, Hoct<4>, float>;
 
 template <class... P>
-void run_passes(Run<S::Layout>& run, const SmoothingOf<S>& smoothing, Passes<P...>) {
+void run_passes(RunOf<S::Layout>& run, const SmoothingOf<S>& smoothing, Passes<P...>) {
   (run_pass<P, S>(run, smoothing), ...);
 }
 
@@ -24,7 +24,7 @@ void run_passes(Run<S::Layout>& run, const SmoothingOf<S>& smoothing, Passes<P..
 /// have them, which change by a factor 4 at most from one neighbour to the next.
 enum class Where { scattered, ball };
 
-std::vector<bool> choose_active(const Run<S::Layout>& run, double every, Where where) {
+std::vector<bool> choose_active(const RunOf<S::Layout>& run, double every, Where where) {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> unit(0, 1);
   const double radius = std::cbrt(3 / (4 * std::numbers::pi * every));

@@ -4,7 +4,7 @@
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/loading.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/engine/output.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "src/schemes/sph.hpp"
@@ -17,11 +17,11 @@ template <class S>
 const SmoothingOf<S> smoothing{typename S::Kernel{}};
 
 template <class S>
-Run<typename S::Layout> loaded(int n, double neighbours) {
+RunOf<typename S::Layout> loaded(int n, double neighbours) {
   SimulationSettings settings;
   settings.neighbours = neighbours;
   auto run = load_run<S>(shaken_box(n), settings, smoothing<S>);
-  StateEquation::run(run);
+  StateEquation::run<typename S::Layout>(run);
   return run;
 }
 
@@ -32,7 +32,7 @@ inline constexpr bool is_mixed = std::is_same_v<typename S::PairNumber, float>;
 template <class S>
 void cells(benchmark::State& state) {
   auto run = loaded<S>(64, 48);
-  for (auto _ : state) SortedCells::run(run);
+  for (auto _ : state) SortedCells::run<typename S::Layout>(run);
   report(state, run.state.n, 0, 0, is_mixed<S>);
 }
 
@@ -40,7 +40,7 @@ void cells(benchmark::State& state) {
 template <class S>
 void density_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
-  for (auto _ : state) find_support(State<S>{run.state, smoothing<S>}, 1e-2);
+  for (auto _ : state) find_support(State<S>{run.state.template as<typename S::Layout>(), smoothing<S>}, 1e-2);
   constexpr double flops = flops_of_search<S> + flops_of_density_terms<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }

@@ -48,9 +48,9 @@ struct ConvergenceSwitch {
   using Writes = List<Alpha, ViscosityAlpha, DissipationAlpha>;
   using Keeps = List<Alpha>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::SwitchAlpha<L>{run.state});
+                         detail::SwitchAlpha<L>{run.state.template as<L>()});
   }
 };
 

@@ -21,9 +21,9 @@ struct Damping {
   static constexpr const char* name = "damping";
   using Writes = List<>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::DampVelocity<L>{run.state});
+                         detail::DampVelocity<L>{run.state.template as<L>()});
   }
 };
 

@@ -116,9 +116,9 @@ struct KickDrift {
   static constexpr const char* name = "kick and drift";
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::KickAndDrift<L>{run.state});
+                         detail::KickAndDrift<L>{run.state.template as<L>()});
   }
 };
 
@@ -127,11 +127,11 @@ struct KickTimeStep {
   static constexpr const char* name = "kick and time-step";
   using Writes = List<ThermalRate>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     run.limit = {};
     if (run.state.n == 0) return;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<L>{run.state}, Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<L>{run.state.template as<L>()}, Kokkos::Sum<StepLimit>(run.limit));
   }
 };
 

@@ -61,19 +61,21 @@ struct MassExchange {
   using Writes = List<>;
   using Keeps = List<HalfStepMass, MassDensityRate, Pressure, InverseDensity>;
   template <class S>
-  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;
-    const auto& state = run.state;
+    const State<S> state{run.state.template as<L>(), smoothing};
     const Kokkos::RangePolicy<ExecutionSpace> all(0, state.n);
     int any = 0;
     Kokkos::parallel_reduce("any exchange of mass", all, detail::AnyMassRate<L>{state}, Kokkos::LOr<int>(any));
     if (!any) return;
     Kokkos::parallel_for(name, all, detail::CorrectForMass<L>{state});
-    if (state.parameters.mass_correction != MassCorrection::donor || !std::is_same_v<typename L::ThermalForm, EntropyForm>)
-      return;  // u does not change with rho, only A's energy does
-    add_pair_sums<Reach::gather>("rho's change by exchange", State<S>{state, smoothing},
-                                 TermSet<MassDensityRateSum>(state.parameters), state.columns);
-    Kokkos::parallel_for(name, all, detail::PayForDensity<L>{state});
+    // Where u is integrated it does not change with rho.
+    if constexpr (std::is_same_v<typename L::ThermalForm, EntropyForm>) {
+      if (state.parameters.mass_correction != MassCorrection::donor) return;
+      add_pair_sums<Reach::gather>("rho's change by exchange", state, TermSet<MassDensityRateSum>(state.parameters),
+                                   state.columns);
+      Kokkos::parallel_for(name, all, detail::PayForDensity<L>{state});
+    }
   }
 };
 

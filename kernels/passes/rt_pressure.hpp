@@ -92,11 +92,12 @@ struct RtPressure {
   using Writes = List<>;
   using Keeps = List<EntropyRoot, Pressure, InverseDensity>;
   template <class S>
-  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     static_assert(std::is_same_v<typename S::ThermalForm, EntropyForm>, "the RT pressure sums entropies");
-    Kokkos::parallel_for("entropy root", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::TakeEntropyRoot<typename S::Layout>{run.state});
-    run_pairs(name, detail::SumRtPressure<S>(State<S>{run.state, smoothing}));
+    const State<S> state{run.state.template as<typename S::Layout>(), smoothing};
+    Kokkos::parallel_for("entropy root", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
+                         detail::TakeEntropyRoot<typename S::Layout>{state});
+    run_pairs(name, detail::SumRtPressure<S>(state));
   }
 };
 

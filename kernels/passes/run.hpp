@@ -70,9 +70,10 @@ struct Schedule {
   Kokkos::View<TickRange*, MemorySpace> ranges;   ///< of every node of the tree
 };
 
-/// A run of particles of layout L between two passes.
+/// A run between two passes. L is a BaseLayout: passes that know more see the same particles by state.as<>().
 template <class L>
 struct Run {
+  static_assert(is_base<L>);
   explicit Run(Particles<L> loaded) : state(std::move(loaded)), sorter(state.n, state.columns) {}
   Particles<L> state;
   Sorter<L::dimension> sorter;
@@ -86,20 +87,17 @@ struct Run {
   StepLimit limit;         ///< of the next step
 };
 
-/// Does pass P run over pairs, so that it needs the scheme's smoothing kernel and pair arithmetic? Other passes know
-/// the layout alone.
-template <class P>
-inline constexpr bool over_pairs = requires {
-  P::over_pairs;
-};
+template <class L>
+using RunOf = Run<BaseLayout<L>>;
 
-/// Runs pass P of scheme S.
+/// Runs pass P of scheme S. A pass over pairs needs the scheme's smoothing kernel and pair arithmetic, others know its
+/// layout alone.
 template <class P, class S>
-void run_pass(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
-  if constexpr (over_pairs<P>)
+void run_pass(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  if constexpr (requires { P::over_pairs; })
     P::template run<S>(run, smoothing);
   else
-    P::run(run);
+    P::template run<typename S::Layout>(run);
 }
 
 }  // namespace sphk

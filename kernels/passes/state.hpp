@@ -24,6 +24,8 @@ using BaseFields = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, Hal
                         InverseSupport, NumberDensity, NumberDensitySlope, Density, Acceleration, MaxSignalVelocity>;
 template <class L>
 using BaseLayout = Layout<L::dimension, BaseFields, typename L::ThermalForm>;
+template <class L>
+inline constexpr bool is_base = std::is_same_v<typename L::Fields, BaseFields>;
 
 /// What the loops for density and gradients know beside it: next in the columns, of those that a scheme has.
 using CoreFields = List<VelocityDivergence, VelocityCurl, DensitySlope, GradVelocityDivergence>;
@@ -73,19 +75,12 @@ struct Particles {
   ActiveSet active{};
   StepClock clock{};
 
-  /// The same particles for code that knows the first fields of the layout alone.
-  template <class Front>
-  Particles<Front> front() const {
-    static_assert(starts_with<typename L::Fields, typename Front::Fields>);
+  /// The same particles for code that knows more or fewer fields at the end of the columns, where their rows are.
+  template <class Other>
+  Particles<Other> as() const {
+    static_assert(starts_with<typename L::Fields, typename Other::Fields> ||
+                  starts_with<typename Other::Fields, typename L::Fields>);
     return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock};
-  }
-  /// Takes over what such code has changed.
-  template <class Front>
-  void adopt(const Particles<Front>& changed) {
-    columns.data = changed.columns.data;
-    ids = changed.ids;
-    active = changed.active;
-    clock = changed.clock;
   }
 
   template <class F>

@@ -92,9 +92,9 @@ struct StateEquation {
   static constexpr const char* name = "equation of state";
   using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, Balsara>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateState<L>{run.state});
+                         detail::EvaluateState<L>{run.state.template as<L>()});
   }
 };
 
@@ -104,9 +104,9 @@ struct GradH {
   using Writes = List<GradHMass>;
   using Keeps = List<GradHMass, DensitySlope>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateGradH<L>{run.state});
+                         detail::EvaluateGradH<L>{run.state.template as<L>()});
   }
 };
 

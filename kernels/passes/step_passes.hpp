@@ -54,10 +54,8 @@ struct SortedCells {
   static constexpr const char* name = "cells";
   using Writes = List<>;
   template <class L>
-  static void run(Run<L>& run) {
-    auto base = run.state.template front<BaseLayout<L>>();
-    sort_cells(base, run.sorter, run.schedule, run.step);
-    run.state.adopt(base);
+  static void run(RunOf<L>& run) {
+    sort_cells(run.state, run.sorter, run.schedule, run.step);
   }
 };
 
@@ -66,11 +64,9 @@ struct ActiveParticles {
   static constexpr const char* name = "active particles";
   using Writes = List<>;
   template <class L>
-  static void run(Run<L>& run) {
-    auto base = run.state.template front<BaseLayout<L>>();
-    run.active_count = mark_active(base);
+  static void run(RunOf<L>& run) {
+    run.active_count = mark_active(run.state);
     run.schedule.updates_since_sort += run.active_count;
-    run.state.adopt(base);
   }
 };
 
@@ -80,10 +76,10 @@ struct SmoothingLength {
   static constexpr bool over_pairs = true;
   using Writes = List<>;
   template <class S>
-  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using Core = typename S::Core;
-    run.searches = find_support(State<Core>{run.state.template front<typename Core::Layout>(), smoothing}, run.accept);
-    fit_cells(run.state.template front<BaseLayout<typename S::Layout>>());
+    run.searches = find_support(State<Core>{run.state.template as<typename Core::Layout>(), smoothing}, run.accept);
+    fit_cells(run.state);
   }
 };
 
@@ -94,9 +90,9 @@ struct Gradients {
   using Writes = List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>;
   using Keeps = Writes;
   template <class S>
-  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+  static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using Core = typename S::Core;
-    run.fits = fit_velocities(State<Core>{run.state.template front<typename Core::Layout>(), smoothing});
+    run.fits = fit_velocities(State<Core>{run.state.template as<typename Core::Layout>(), smoothing});
   }
 };
 
@@ -106,9 +102,9 @@ struct Rates {
   static constexpr bool over_pairs = true;
   using Writes = List<>;
   template <class S>
-  static void run(Run<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
-    add_pair_sums(name, State<S>{run.state, smoothing}, typename S::RateTerms(run.state.parameters),
-                  run.state.columns);
+  static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
+    const State<S> state{run.state.template as<typename S::Layout>(), smoothing};
+    add_pair_sums(name, state, typename S::RateTerms(state.parameters), state.columns);
   }
 };
 
@@ -117,12 +113,12 @@ struct NextSteps {
   static constexpr const char* name = "next steps";
   using Writes = List<>;
   template <class L>
-  static void run(Run<L>& run) {
+  static void run(RunOf<L>& run) {
     StepClock& clock = run.state.clock;
     if (!clock.individual) return;
     clock.now = clock.next;
     if (clock.now > 0 && clock.now < StepClock::block)
-      assign_steps(run.state.template front<BaseLayout<L>>(), run.schedule, clock.now);
+      assign_steps(run.state, run.schedule, clock.now);
   }
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "kernels/passes/step_passes.hpp"
 #include "src/engine/host_columns.hpp"
 #include "src/engine/particle_set.hpp"
@@ -13,22 +15,46 @@ namespace sphk {
 template <int D>
 using CountColumns = Columns<D, List<NeighbourCount>>;
 
-/// Copies particles to the columns, with their specific energies as thermal variable.
-template <class L>
-void copy_to_columns(const Particles<L>& state, const ParticleSet& particles);
+/// A column that snapshots show beside those of every scheme: one number a particle.
+struct ShownColumn {
+  const char *name, *description;
+  UnitExponents units;
+  int row;
+};
 
-/// First support radii from the volumes of the cells where none are given: the searches start near their ends.
-/// `fallback` where a cell has no volume.
-template <class L>
-void guess_supports(const Particles<L>& state, double fallback);
+/// What a run must know of a scheme.
+struct SchemeFacts {
+  bool mixed = false;
+  int rows = 0;                     ///< of the columns
+  int alpha_row = -1;               ///< of the switch, which initial conditions may set; -1: there is none
+  int support_pass = 0;             ///< the place of the search for support radii in a step
+  std::vector<const char*> passes;  ///< names, in the order of a step
+  std::vector<ShownColumn> shown;
+  double bytes_per_particle = 0, flops_per_pair = 0;
+};
 
-/// Turns the loaded specific energies into the scheme's thermal variable, with the standard density.
+/// The passes of a scheme: the part of a run that knows its fields, smoothing kernel and pair arithmetic.
 template <class L>
-void thermal_from_energy(const Particles<L>& state);
+class SchemePasses {
+ public:
+  const SchemeFacts facts;
+  explicit SchemePasses(SchemeFacts of) : facts(std::move(of)) {}
+  virtual ~SchemePasses() = default;
+  virtual void run(int pass, Run<L>& run) const = 0;
+  /// One right-hand side, as `sphk rates` writes it; the passes have just been run. In double alone.
+  virtual std::vector<Field> rates(const Particles<L>& particles, bool split) const = 0;
+};
 
-/// Room for steps of the particles' own; all of them are at the start of a block.
+/// Particles on the device, sorted, with supports, densities and the thermal variable; `find_supports` runs the pass
+/// that searches for supports.
 template <class L>
-void allow_individual_steps(Particles<L>& state, Schedule& schedule, const SimulationSettings& settings);
+Run<L> load_run(const ParticleSet& particles, const SimulationSettings& settings, const SchemeFacts& facts,
+                const std::function<void(Run<L>&)>& find_supports);
+
+/// A run of a scheme.
+template <class L>
+std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const SimulationSettings& settings,
+                                     std::unique_ptr<SchemePasses<L>> passes);
 
 /// True neighbours, r < h_i, self included: into `counts`, and their minimum, mean and maximum into the report.
 template <class L>
@@ -38,14 +64,5 @@ void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimen
 /// and jumps when a particle is wrapped.
 template <class L>
 Totals totals(const Particles<L>& state);
-
-/// The state on the host, sorted by id, positions wrapped into the box.
-template <class L>
-Snapshot base_snapshot(const Particles<L>& particles, const HostColumns<L>& host, const Box& box, double time,
-                       long step);
-
-/// Where particle i sits, into the report as what limits the time-step.
-template <class L>
-void note_limiting_particle(const Particles<L>& state, int i, StepReport& report);
 
 }  // namespace sphk

@@ -1,4 +1,4 @@
-#include "src/engine/base_code.hpp"
+#include "src/engine/compile_base.hpp"
 
 SPHK_COMPILE_BASE(1, EntropyForm)
 SPHK_COMPILE_BASE(1, EnergyForm)

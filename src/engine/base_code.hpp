@@ -5,6 +5,8 @@
 #include "kernels/smoothing/johnson.hpp"
 #include "kernels/terms/neighbour_count.hpp"
 #include "src/engine/base.hpp"
+#include "src/engine/loading.hpp"
+#include "src/engine/output.hpp"
 
 namespace sphk::detail {
 
@@ -115,30 +117,14 @@ struct Counting {
   using PairNumber = float;
 };
 
-}  // namespace sphk::detail
-
-template <>
-struct Kokkos::reduction_identity<sphk::detail::TotalsSum> {
-  KOKKOS_FORCEINLINE_FUNCTION static sphk::detail::TotalsSum sum() { return {}; }
-};
-
-template <>
-struct Kokkos::reduction_identity<sphk::detail::CountRange> {
-  KOKKOS_FORCEINLINE_FUNCTION static sphk::detail::CountRange sum() { return {}; }
-};
-
-namespace sphk {
-
 template <class L>
-void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
-  using C = typename Particles<L>::Columns;
+void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, int alpha_row) {
   constexpr int D = L::dimension;
   const auto stride = static_cast<std::size_t>(state.columns.stride);
-  const auto rows = Kokkos::subview(state.columns.data, std::pair<std::size_t, std::size_t>(0, C::size * stride));
-  auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, rows);
+  auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
   auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
   const auto row = [&]<class F>(F, int component) {
-    return host.data() + (component_offset<D, F, typename C::Fields> + component) * stride;
+    return host.data() + (component_offset<D, F, BaseFields> + component) * stride;
   };
   for (int i = 0; i < state.n; ++i) {
     for (int d = 0; d < D; ++d) {
@@ -148,23 +134,12 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles) {
     row(Mass{}, 0)[i] = particles.m[i];
     row(Thermal{}, 0)[i] = particles.u[i];
     row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
+    if (alpha_row >= 0) host(alpha_row * stride + i) = particles.alpha.empty() ? 0 : particles.alpha[i];
     ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
   }
-  Kokkos::deep_copy(ExecutionSpace(), rows, host);
+  Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);
   Kokkos::deep_copy(ExecutionSpace(), state.ids, ids);
   ExecutionSpace().fence("load particles");
-}
-
-template <class L>
-void guess_supports(const Particles<L>& state, double fallback) {
-  Kokkos::parallel_for("guess support", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
-                       detail::GuessSupport<L>{state, fallback});
-}
-
-template <class L>
-void thermal_from_energy(const Particles<L>& state) {
-  Kokkos::parallel_for("thermal from energy", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
-                       detail::ThermalFromEnergy<L>{state});
 }
 
 template <class L>
@@ -181,6 +156,97 @@ void allow_individual_steps(Particles<L>& state, Schedule& schedule, const Simul
   schedule.limiter = settings.step_limiter;
   if (settings.max_dt > 0) schedule.longest = settings.max_dt;
   Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block);
+}
+
+template <class L>
+Snapshot take_snapshot(const Particles<L>& particles, const SchemeFacts& facts, const Box& box, double time,
+                       long step) {
+  constexpr int D = L::dimension;
+  const HostColumns<L> host(particles);
+  const double gamma = particles.parameters.gamma;
+  const auto pressure = [&](int i) {
+    return L::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
+  };
+  const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
+  Snapshot snapshot{.dimension = D, .box = box, .time = time, .step = step, .gamma = gamma, .id = host.ids, .fields = {}};
+  auto& fields = snapshot.fields;
+  fields.push_back(host.template field<Position>("Coordinates", "Position", {1, 0, 0}));
+  for (std::size_t i = 0; i < snapshot.id.size(); ++i)
+    for (int d = 0; d < D; ++d) {
+      double& x = fields[0].values[3 * i + d];
+      x = particles.tree.domain.wrapped(x, d);
+    }
+  fields.push_back(host.template field<Velocity>("Velocities", "Velocity", {1, 0, -1}));
+  fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
+  fields.push_back(host.template field<Density>("Densities", "Density, sum of m_j W(r_ij, h_i)", density));
+  fields.push_back(host.scalar("InternalEnergies", "Specific thermal energy", energy, [&](int i) {
+    return pressure(i) / ((gamma - 1) * host.template at<Density>(i));
+  }));
+  fields.push_back(host.scalar("Pressures", "Pressure", {2.0 - D, 1, -2}, pressure));
+  fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
+  const UnitExponents entropy{2 + D * (gamma - 1), 1 - gamma, -2};
+  fields.push_back(host.scalar("Entropies", "Entropy function A = P / rho^gamma", entropy, [&](int i) {
+    return pressure(i) / std::pow(host.template at<Density>(i), gamma);
+  }));
+  for (const ShownColumn& column : facts.shown)
+    fields.push_back(host.HostRows::field(column.name, column.description, column.units, 1, column.row, 1, 0));
+  return snapshot;
+}
+
+template <class L>
+void note_limiting_particle(const Particles<L>& state, int i, StepReport& report) {
+  if (i < 0) return;
+  const auto one =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(state.ids, std::pair(i, i + 1)));
+  report.limiting_id = one(0);
+  for (int d = 0; d < L::dimension; ++d) {
+    const auto start = (component_offset<L::dimension, Position, typename L::Fields> + d) *
+                           static_cast<std::size_t>(state.columns.stride) +
+                       i;
+    report.limiting_x[d] = on_host(Kokkos::subview(state.columns.data, std::pair(start, start + 1)))(0);
+  }
+}
+
+}  // namespace sphk::detail
+
+template <>
+struct Kokkos::reduction_identity<sphk::detail::TotalsSum> {
+  KOKKOS_FORCEINLINE_FUNCTION static sphk::detail::TotalsSum sum() { return {}; }
+};
+
+template <>
+struct Kokkos::reduction_identity<sphk::detail::CountRange> {
+  KOKKOS_FORCEINLINE_FUNCTION static sphk::detail::CountRange sum() { return {}; }
+};
+
+namespace sphk {
+
+template <class L>
+Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, const SchemeFacts& facts,
+                const std::function<void(Run<L>&)>& find_supports) {
+  constexpr int D = L::dimension;
+  using Columns = typename Particles<L>::Columns;
+  const int n = static_cast<int>(given.size());
+  Domain<D> domain{};
+  for (int d = 0; d < D; ++d) {
+    domain.lower[d] = given.box.lower[d];
+    domain.period[d] = given.box.periodic[d] ? given.box.size[d] : 0;
+  }
+  const int stride = Columns::padded(n);
+  const Numbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
+  Run<L> run(Particles<L>{n, Columns(rows, stride), Ids("ids", n), CellTree<D>(n, domain),
+                          parameters_of(given, settings)});
+  detail::copy_to_columns(run.state, given, facts.alpha_row);
+  run.time = given.time;
+  run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell
+  if (settings.individual_steps) detail::allow_individual_steps(run.state, run.schedule, settings);
+  sort_cells(run.state, run.sorter, run.schedule, run.step);
+  const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
+  Kokkos::parallel_for("guess support", all,
+                       detail::GuessSupport<L>{run.state, support_of_even_gas(given, settings)});
+  find_supports(run);
+  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<L>{run.state});
+  return run;
 }
 
 template <class L>
@@ -214,71 +280,4 @@ Totals totals(const Particles<L>& state) {
   return totals;
 }
 
-template <class L>
-Snapshot base_snapshot(const Particles<L>& particles, const HostColumns<L>& host, const Box& box, double time,
-                       long step) {
-  constexpr int D = L::dimension;
-  const double gamma = particles.parameters.gamma;
-  const auto pressure = [&](int i) {
-    return L::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
-  };
-  const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
-  Snapshot snapshot{.dimension = D, .box = box, .time = time, .step = step, .gamma = gamma, .id = host.ids, .fields = {}};
-  auto& fields = snapshot.fields;
-  fields.push_back(host.template field<Position>("Coordinates", "Position", {1, 0, 0}));
-  for (std::size_t i = 0; i < snapshot.id.size(); ++i)
-    for (int d = 0; d < D; ++d) {
-      double& x = fields[0].values[3 * i + d];
-      x = particles.tree.domain.wrapped(x, d);
-    }
-  fields.push_back(host.template field<Velocity>("Velocities", "Velocity", {1, 0, -1}));
-  fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
-  fields.push_back(host.template field<Density>("Densities", "Density, sum of m_j W(r_ij, h_i)", density));
-  fields.push_back(host.scalar("InternalEnergies", "Specific thermal energy", energy, [&](int i) {
-    return pressure(i) / ((gamma - 1) * host.template at<Density>(i));
-  }));
-  fields.push_back(host.scalar("Pressures", "Pressure", {2.0 - D, 1, -2}, pressure));
-  fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
-  const UnitExponents entropy{2 + D * (gamma - 1), 1 - gamma, -2};
-  fields.push_back(host.scalar("Entropies", "Entropy function A = P / rho^gamma", entropy, [&](int i) {
-    return pressure(i) / std::pow(host.template at<Density>(i), gamma);
-  }));
-  return snapshot;
-}
-
-template <class L>
-void note_limiting_particle(const Particles<L>& state, int i, StepReport& report) {
-  if (i < 0) return;
-  const auto one =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, Kokkos::subview(state.ids, std::pair(i, i + 1)));
-  report.limiting_id = one(0);
-  for (int d = 0; d < L::dimension; ++d) {
-    const auto start = (component_offset<L::dimension, Position, typename L::Fields> + d) *
-                           static_cast<std::size_t>(state.columns.stride) +
-                       i;
-    report.limiting_x[d] = on_host(Kokkos::subview(state.columns.data, std::pair(start, start + 1)))(0);
-  }
-}
-
 }  // namespace sphk
-
-/// Compiles all of it, and the passes that need no more, for a dimension and thermal variable.
-#define SPHK_COMPILE_BASE(D, FORM)                                                                                   \
-  namespace sphk {                                                                                                   \
-  using Base##D##FORM = Layout<D, BaseFields, FORM>;                                                                 \
-  template void sort_cells(Particles<Base##D##FORM>&, Sorter<D>&, Schedule&, long);                                  \
-  template void fit_cells(const Particles<Base##D##FORM>&);                                                          \
-  template long mark_active(Particles<Base##D##FORM>&);                                                              \
-  template void assign_steps(const Particles<Base##D##FORM>&, const Schedule&, Ticks);                               \
-  template void wake_all(const Particles<Base##D##FORM>&);                                                           \
-  template Ticks first_end(const Particles<Base##D##FORM>&);                                                         \
-  template void copy_to_columns(const Particles<Base##D##FORM>&, const ParticleSet&);                                \
-  template void guess_supports(const Particles<Base##D##FORM>&, double);                                             \
-  template void thermal_from_energy(const Particles<Base##D##FORM>&);                                                \
-  template void allow_individual_steps(Particles<Base##D##FORM>&, Schedule&, const SimulationSettings&);             \
-  template void count_neighbours(const Particles<Base##D##FORM>&, const CountColumns<D>&, StepReport&);              \
-  template Totals totals(const Particles<Base##D##FORM>&);                                                           \
-  template Snapshot base_snapshot(const Particles<Base##D##FORM>&, const HostColumns<Base##D##FORM>&, const Box&,    \
-                                  double, long);                                                                     \
-  template void note_limiting_particle(const Particles<Base##D##FORM>&, int, StepReport&);                           \
-  }

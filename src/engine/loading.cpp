@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernels/passes/support_search.hpp"
+
 namespace sphk {
 
 double support_of_even_gas(const ParticleSet& particles, const SimulationSettings& settings) {

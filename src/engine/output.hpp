@@ -42,23 +42,6 @@ constexpr double flops_per_pair() {
   return flops_of_search<S> + flops_of_density_terms<S> + (fits ? flops_of_fit<S> : 0) + flops_of_rates<S>;
 }
 
-/// The state on the host, sorted by id, positions wrapped into the box.
-template <class L>
-Snapshot take_snapshot(const Particles<L>& particles, const Box& box, double time, long step) {
-  using Base = BaseLayout<L>;
-  const HostColumns<L> host(particles);
-  Snapshot snapshot =
-      base_snapshot(particles.template front<Base>(), HostColumns<Base>(HostRows(host)), box, time, step);
-  if constexpr (contains<VelocityDivergence, typename L::Fields>)
-    snapshot.fields.push_back(host.template field<VelocityDivergence>("VelocityDivergence", "div v", {0, 0, -1}));
-  if constexpr (contains<Alpha, typename L::Fields>)
-    snapshot.fields.push_back(
-        host.template field<Alpha>("Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {0, 0, 0}));
-  if constexpr (contains<Balsara, typename L::Fields>)
-    snapshot.fields.push_back(host.template field<Balsara>("BalsaraFactors", "Balsara factor", {0, 0, 0}));
-  return snapshot;
-}
-
 /// Throws NumericsError naming the particle when the next time-step is not positive.
 void require_finite(const StepLimit& limit, double time, long step);
 

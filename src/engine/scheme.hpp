@@ -33,14 +33,6 @@ void for_each_pass(Passes<P...>, F&& f) {
   (f.template operator()<P>(), ...);
 }
 
-/// The place of pass P in a step.
-template <class P, class... All>
-constexpr int place_of(Passes<All...>) {
-  int place = 0;
-  const bool found = ((std::is_same_v<P, All> || (++place, false)) || ...);
-  return found ? place : -1;
-}
-
 /// What schemes have in common that differ in smoothing kernel and pair arithmetic alone.
 template <class L, class StepPasses, class TermList>
 struct Model {

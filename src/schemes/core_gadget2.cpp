@@ -1,10 +1,10 @@
+#include "src/schemes/classic.hpp"
 #include "src/schemes/core_loops.hpp"
-#include "src/schemes/gadget2.hpp"
 
 namespace sphk {
 
-[[gnu::used]] static const auto line = density_loops<Gadget2, 1>(List<>{});
-[[gnu::used]] static const auto plane = density_loops<Gadget2, 2>(List<CubicSpline>{});
-[[gnu::used]] static const auto space = density_loops<Gadget2, 3>(List<CubicSpline, WendlandC6>{});
+[[gnu::used]] static const auto line = density_loops<1, Gadget2Core, ClassicDensity>(List<>{});
+[[gnu::used]] static const auto plane = density_loops<2, Gadget2Core, ClassicDensity>(List<CubicSpline>{});
+[[gnu::used]] static const auto space = density_loops<3, Gadget2Core, ClassicDensity>(List<CubicSpline, WendlandC6>{});
 
 }  // namespace sphk

@@ -2,7 +2,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "kernels/terms/pressure_work.hpp"
-#include "src/engine/engine.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/schemes/instantiation.hpp"
 #include "src/schemes/kernel_table.hpp"
 
@@ -20,8 +20,8 @@ K make_kernel(const std::string& name) {
 
 template <class S>
 std::unique_ptr<Simulation> make_engine(const ParticleSet& particles, const SimulationSettings& settings) {
-  return std::make_unique<Engine<typename S::Model>>(
-      particles, settings, std::make_unique<PairPassesOf<S>>(make_kernel<typename S::Kernel>(settings.kernel)));
+  return make_run<BaseLayout<typename S::Layout>>(
+      particles, settings, std::make_unique<PassesOf<S>>(make_kernel<typename S::Kernel>(settings.kernel)));
 }
 
 /// What schemes that differ in kernel and pair arithmetic alone have in common.

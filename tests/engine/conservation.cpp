@@ -74,11 +74,14 @@ TEST(Energy, drift_of_gadget2_falls_with_the_square_of_the_step) {
   EXPECT_LT(fine, coarse / 50) << coarse << " and " << fine;
 }
 
-/// R10's energy form moves energy between motion and heat pair by pair, as the time-steps vanish.
-TEST(Energy, form_of_sph_conserves_the_total_to_the_order_of_the_step) {
+struct EnergyForm : testing::TestWithParam<const char*> {};
+
+/// The energy form (R10 eq 18) moves energy between motion and heat pair by pair, as the time-steps vanish: with all
+/// dissipations and, for sphs, with mass that particles of unequal masses exchange.
+TEST_P(EnergyForm, conserves_the_total_to_the_order_of_the_step) {
   ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.25, true, 6);
   const auto drift = [&](double dt) {
-    SimulationSettings s = in_double("sph");
+    SimulationSettings s = in_double(GetParam());
     s.energy = "energy";
     s.max_dt = dt;
     const auto run = make_simulation(gas, s);
@@ -89,6 +92,7 @@ TEST(Energy, form_of_sph_conserves_the_total_to_the_order_of_the_step) {
   EXPECT_LT(drift(1e-3), 2e-3);
   EXPECT_LT(drift(5e-4), 0.6 * drift(1e-3));
 }
+INSTANTIATE_TEST_SUITE_P(Schemes, EnergyForm, testing::Values("sph", "sphs"));
 
 }  // namespace
 }  // namespace sphk::test

@@ -7,7 +7,7 @@
 #include "kernels/passes/schedule.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/loading.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 
@@ -17,14 +17,14 @@ namespace {
 using S = Gadget2<3, CubicSpline, double>;
 
 struct ScheduleTest : testing::Test {
-  sphk::Run<S::Layout> run = loaded();
+  RunOf<S::Layout> run = loaded();
 
-  static sphk::Run<S::Layout> loaded() {
+  static RunOf<S::Layout> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
     settings.individual_steps = true;
     auto run = load_run<S>(shaken_lattice(3, {12, 9, 8}, 0.3, true, 21), settings, SmoothingOf<S>(CubicSpline{}));
-    StateEquation::run(run);
+    StateEquation::run<typename S::Layout>(run);
     run.state.clock.tick = 1.0 / static_cast<double>(StepClock::block);
     return run;
   }
@@ -102,7 +102,7 @@ TEST_F(ScheduleTest, a_sleeping_neighbour_is_woken_at_once) {
   std::vector<double> x_before;
   for (int i = 0; i < state.n; ++i) x_before.push_back(state.at<Position>(i, 0));
   state.clock.next = now;
-  ActiveParticles::run(run);
+  ActiveParticles::run<S::Layout>(run);
   EXPECT_EQ(run.active_count, 1);
   assign_steps(run.state, run.schedule, now);
   EXPECT_EQ(length(hot), asked);

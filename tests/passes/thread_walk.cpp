@@ -4,7 +4,7 @@
 
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/loading.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 
@@ -16,13 +16,13 @@ using Adds = S::RateTerms::Adds;
 
 struct ThreadWalkTest : testing::Test {
   static inline const SmoothingOf<S> smoothing{CubicSpline{}};
-  sphk::Run<S::Layout> run = loaded();
+  RunOf<S::Layout> run = loaded();
 
-  static sphk::Run<S::Layout> loaded() {
+  static RunOf<S::Layout> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
     auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, smoothing);
-    StateEquation::run(run);
+    StateEquation::run<typename S::Layout>(run);
     return run;
   }
   template <class F>
@@ -40,7 +40,7 @@ void expect_close(const std::vector<double>& a, const std::vector<double>& b, do
 TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
   const S::RateTerms terms(run.state.parameters);
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
-  const State<S> state{run.state, smoothing};
+  const State<S> state{run.state.as<S::Layout>(), smoothing};
   add_pair_sums("tiles", state, terms, tiles);
   Kokkos::parallel_for(
       "threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
@@ -56,7 +56,7 @@ TEST_F(ThreadWalkTest, supports_equal_those_of_the_tiles) {
   for (int i = 0; i < run.state.n; ++i) run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
   SupportCounts counts;
   Kokkos::parallel_reduce("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                          detail::FindSupport<S>(State<S>{run.state, smoothing}, 1e-7), Kokkos::Sum<SupportCounts>(counts));
+                          detail::FindSupport<S>(State<S>{run.state.as<S::Layout>(), smoothing}, 1e-7), Kokkos::Sum<SupportCounts>(counts));
   EXPECT_GT(counts.evaluations, run.state.n) << "the starts are off by 30 and 50 %";
   EXPECT_EQ(counts.failed + counts.capped + counts.crowded, 0);
   expect_close(field<Support>(run.state.columns), h, 1e-12);

@@ -3,7 +3,7 @@
 
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/engine.hpp"
+#include "src/engine/scheme_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 
 // Every pass and one scheme per dimension through nvcc and its linker. Where there is a GPU it also runs: a lattice at
@@ -31,10 +31,10 @@ double fastest_after_one_step() {
   sphk::SimulationSettings settings;
   settings.neighbours = D == 1 ? 5 : D == 2 ? 14 : 48;
   using Scheme = sphk::Gadget2<D, sphk::CubicSpline, double>;
-  sphk::Engine<typename Scheme::Model> engine(gas, settings,
-                                     std::make_unique<sphk::PairPassesOf<Scheme>>(sphk::CubicSpline{}));
-  engine.step(1.0);
-  return engine.totals().max_speed;
+  const auto run = sphk::make_run<sphk::BaseLayout<typename Scheme::Layout>>(
+      gas, settings, std::make_unique<sphk::PassesOf<Scheme>>(sphk::CubicSpline{}));
+  run->step(1.0);
+  return run->totals().max_speed;
 }
 
 int main() {
