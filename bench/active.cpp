@@ -7,7 +7,7 @@
 #include "kernels/passes/gradients.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/sphs.hpp"
 
 namespace sphk::bench {

@@ -27,8 +27,8 @@ void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& sch
   fit_cells(state);
   const auto all = bounds_of_all(state.tree);
   StepClock& clock = state.clock;
-  const bool due = clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n)
-                                    : step % sort_interval == 0;
+  const bool due =
+      clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n) : step % sort_interval == 0;
   if (!due && !detail::strayed(state.tree.domain, all)) return;
   sorter(state.columns.data, state.columns.stride, state.ids, state.tree.domain, all);
   if (clock.individual) {

@@ -117,8 +117,7 @@ struct NextSteps {
     StepClock& clock = run.state.clock;
     if (!clock.individual) return;
     clock.now = clock.next;
-    if (clock.now > 0 && clock.now < StepClock::block)
-      assign_steps(run.state, run.schedule, clock.now);
+    if (clock.now > 0 && clock.now < StepClock::block) assign_steps(run.state, run.schedule, clock.now);
   }
 };
 

@@ -5,8 +5,8 @@
 
 namespace sphk {
 
-/// Compression work where u is integrated, R10 eq 18 with zeta = phi = rho: du_i/dt = (P_i/rho_i) sum_j (m_j/rho_j) v_ij
-/// . grad Wbar. What the pressure force of S12 eq 7 takes from the motion of a pair, this gives to its heat.
+/// Compression work where u is integrated, R10 eq 18 with zeta = phi = rho: du_i/dt = (P_i/rho_i) sum_j (m_j/rho_j)
+/// v_ij . grad Wbar. What the pressure force of S12 eq 7 takes from the motion of a pair, this gives to its heat.
 struct PressureWorkTsph : PlainTerm {
   static constexpr const char* label = "PressureWork";
   static constexpr const char* name = "pressure work (R10 eq 18 with zeta = rho)";

@@ -3,6 +3,7 @@
 #include "kernels/terms/apart.hpp"
 #include "kernels/terms/neighbour_count.hpp"
 #include "kernels/terms/zeroth_order_error.hpp"
+#include "src/engine/host_columns.hpp"
 #include "src/engine/output.hpp"
 
 namespace sphk {

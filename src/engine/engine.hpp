@@ -3,8 +3,13 @@
 #include <Kokkos_Core.hpp>
 #include <Kokkos_Profiling_ScopedRegion.hpp>
 #include <Kokkos_Timer.hpp>
+#include <tuple>
 
-#include "src/engine/base_code.hpp"
+#include "src/engine/load_run.hpp"
+#include "src/engine/neighbour_counts.hpp"
+#include "src/engine/output.hpp"
+#include "src/engine/snapshot.hpp"
+#include "src/engine/totals.hpp"
 
 namespace sphk {
 
@@ -18,8 +23,7 @@ class Engine final : public Simulation {
   Engine(const ParticleSet& particles, const SimulationSettings& settings, std::unique_ptr<SchemePasses<L>> passes)
       : passes_(std::move(passes)),
         facts_(passes_->facts),
-        run_(load_run<L>(particles, settings, facts_,
-                         [&](Run<L>& run) { passes_->run(facts_.support_pass, run); })),
+        run_(load_run<L>(particles, settings, facts_, [&](Run<L>& run) { passes_->run(facts_.support_pass, run); })),
         counts_("neighbour counts", run_.state.n),
         origin_(particles.box),
         tags_(phase_tags(particles)),
@@ -37,7 +41,7 @@ class Engine final : public Simulation {
 
   StepReport step(double t_end) override {
     run_.state.clock.individual ? begin_substep(t_end) : begin_step(t_end);
-    detail::note_limiting_particle(run_.state, run_.limit.particle, report_);  // before the sort moves it
+    note_limiting_particle(run_.state, run_.limit.particle, report_);  // before the sort moves it
     ++run_.step;
     run_passes();
     run_.time = end_of_step_;
@@ -73,7 +77,7 @@ class Engine final : public Simulation {
   }
 
   Snapshot snapshot() const override {
-    Snapshot snapshot = detail::take_snapshot(run_.state, facts_, origin_, run_.time, run_.step);
+    Snapshot snapshot = take_snapshot(run_.state, facts_, origin_, run_.time, run_.step);
     if (!tags_.values.empty()) snapshot.fields.push_back(tags_);
     return snapshot;
   }
@@ -86,9 +90,7 @@ class Engine final : public Simulation {
     return passes_->rates(run_.state, split);
   }
 
-  std::vector<std::string> warnings() const override {
-    return warnings_of(searches_, fits_);
-  }
+  std::vector<std::string> warnings() const override { return warnings_of(searches_, fits_); }
 
  private:
   void run_passes() {
@@ -158,6 +160,13 @@ template <class L>
 std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const SimulationSettings& settings,
                                      std::unique_ptr<SchemePasses<L>> passes) {
   return std::make_unique<Engine<L>>(particles, settings, std::move(passes));
+}
+
+/// All that is compiled of a run for base layout L, passes included.
+template <class L>
+constexpr auto compiled_run() {
+  return std::tuple{&make_run<L>,    &load_run<L>,     &sort_cells<L>, &fit_cells<L>,
+                    &mark_active<L>, &assign_steps<L>, &wake_all<L>,   &first_end<L>};
 }
 
 }  // namespace sphk

@@ -17,8 +17,8 @@ HostRows::HostRows(const Numbers& numbers, int row_length, const Ids& of)
   for (const int i : order) ids.push_back(host_ids(i));
 }
 
-Field HostRows::field(std::string name, std::string description, UnitExponents units, int components, int row,
-                      int rows, int first) const {
+Field HostRows::field(std::string name, std::string description, UnitExponents units, int components, int row, int rows,
+                      int first) const {
   Field out{std::move(name), std::move(description), units, components, {}};
   out.values.assign(order.size() * static_cast<std::size_t>(components), 0.0);
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -27,9 +27,9 @@ HostNumbers on_host(const Numbers& numbers);
 
 /// Vectors have three components in any dimension; a curl in 2D has its z alone.
 template <class F>
-inline constexpr bool is_vector = std::is_same_v<F, Position> || std::is_same_v<F, Velocity> ||
-                                  std::is_same_v<F, Acceleration> || std::is_same_v<F, VelocityCurl> ||
-                                  std::is_same_v<F, GradVelocityDivergence>;
+inline constexpr bool is_vector =
+    std::is_same_v<F, Position> || std::is_same_v<F, Velocity> || std::is_same_v<F, Acceleration> ||
+    std::is_same_v<F, VelocityCurl> || std::is_same_v<F, GradVelocityDivergence>;
 
 template <class L>
 struct HostColumns : HostRows {

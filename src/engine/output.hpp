@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "kernels/core/polynomial.hpp"
-#include "src/engine/base.hpp"
 #include "src/engine/errors.hpp"
+#include "src/engine/scheme_interface.hpp"
 
 namespace sphk {
 

@@ -2,7 +2,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "kernels/terms/pressure_work.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/instantiation.hpp"
 #include "src/schemes/kernel_table.hpp"
 

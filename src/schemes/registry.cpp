@@ -44,7 +44,9 @@ const Instantiations& table() {
                               sphs_energy_multi_3d,
                               sphs_conservative_1d,
                               sphs_conservative_2d,
-                              sphs_conservative_3d, sphs_rt, glass})
+                              sphs_conservative_3d,
+                              sphs_rt,
+                              glass})
       for (Instantiation& row : source()) {
         rows.push_back(row);
         if (row.scheme != "sphs" || row.energy != "entropy") continue;

@@ -50,7 +50,8 @@ TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
 }
 
 /// Gresho's vortex, 32 x 32 x 8 lattice, t = 1: GADGET-2 0.174 with 50 neighbours; S12 Fig. 6 has CS42 always above
-/// 0.10. The lattice breaks up by chance: runs that differ in a digit scatter, and GADGET-2's figure is of one such run.
+/// 0.10. The lattice breaks up by chance: runs that differ in a digit scatter, and GADGET-2's figure is of one such
+/// run.
 TEST(Accuracy, gresho_with_50_neighbours_is_that_of_gadget2) {
   std::vector<double> l1;
   for (const char* neighbours : {"49.98", "49.99", "50", "50.01"})

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/schemes/sphs.hpp"
 #include "tests/engine/brute_force.hpp"
@@ -72,7 +72,8 @@ TEST(SphsRun, leaving_out_mass_dissipation_changes_nothing_where_masses_are_equa
   ParticleSet gas = unequal_gas(0);
   gas.m.assign(gas.size(), gas.m[0]);
   const auto evolved = [&]<class S>(S) {
-    const auto run = make_run<BaseLayout<typename S::Layout>>(gas, in_double(), std::make_unique<PassesOf<S>>(Hoct<4>{}));
+    const auto run =
+        make_run<BaseLayout<typename S::Layout>>(gas, in_double(), std::make_unique<PassesOf<S>>(Hoct<4>{}));
     for (int step = 0; step < 5; ++step) run->step(1e9);
     return run->snapshot();
   };

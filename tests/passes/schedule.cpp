@@ -7,7 +7,7 @@
 #include "kernels/passes/schedule.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 
@@ -42,9 +42,8 @@ TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
   const State<S> state{run.state.as<S::Layout>(), smoothing};
   add_pair_sums("tiles", state, terms, tiles);
-  Kokkos::parallel_for(
-      "threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-      detail::PairSums<Reach::symmetric, S, S::RateTerms, Columns<3, Adds>>(state, terms, threads));
+  Kokkos::parallel_for("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                       detail::PairSums<Reach::symmetric, S, S::RateTerms, Columns<3, Adds>>(state, terms, threads));
   Kokkos::fence();
   expect_close(field<Acceleration>(threads), field<Acceleration>(tiles), 1e-13);
   expect_close(field<Heating>(threads), field<Heating>(tiles), 1e-13);
@@ -56,7 +55,8 @@ TEST_F(ThreadWalkTest, supports_equal_those_of_the_tiles) {
   for (int i = 0; i < run.state.n; ++i) run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
   SupportCounts counts;
   Kokkos::parallel_reduce("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                          detail::FindSupport<S>(State<S>{run.state.as<S::Layout>(), smoothing}, 1e-7), Kokkos::Sum<SupportCounts>(counts));
+                          detail::FindSupport<S>(State<S>{run.state.as<S::Layout>(), smoothing}, 1e-7),
+                          Kokkos::Sum<SupportCounts>(counts));
   EXPECT_GT(counts.evaluations, run.state.n) << "the starts are off by 30 and 50 %";
   EXPECT_EQ(counts.failed + counts.capped + counts.crowded, 0);
   expect_close(field<Support>(run.state.columns), h, 1e-12);

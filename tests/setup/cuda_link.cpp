@@ -3,7 +3,7 @@
 
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/scheme_parts.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/schemes/gadget2.hpp"
 
 // Every pass and one scheme per dimension through nvcc and its linker. Where there is a GPU it also runs: a lattice at

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/engine/base.hpp"
 #include "src/engine/diagnostics.hpp"
 #include "src/engine/scheme.hpp"
+#include "src/engine/scheme_interface.hpp"
 
 namespace sphk {
 

@@ -3,17 +3,13 @@
 #include <functional>
 
 #include "kernels/passes/step_passes.hpp"
-#include "src/engine/host_columns.hpp"
 #include "src/engine/particle_set.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace sphk {
 
-// What needs the fields that every scheme has, and no more: L is a BaseLayout. Compiled once a dimension and thermal
-// variable (base_1d.cpp and so on), from the definitions in base_code.hpp.
-
-template <int D>
-using CountColumns = Columns<D, List<NeighbourCount>>;
+// What a run and the scheme that it follows know of each other. A run needs the fields that every scheme has, and no
+// more: L is a BaseLayout here, and the code of runs is compiled once a dimension and thermal variable.
 
 /// A column that snapshots show beside those of every scheme: one number a particle.
 struct ShownColumn {
@@ -46,23 +42,14 @@ class SchemePasses {
 };
 
 /// Particles on the device, sorted, with supports, densities and the thermal variable; `find_supports` runs the pass
-/// that searches for supports.
+/// that searches for supports. Defined in load_run.hpp.
 template <class L>
 Run<L> load_run(const ParticleSet& particles, const SimulationSettings& settings, const SchemeFacts& facts,
                 const std::function<void(Run<L>&)>& find_supports);
 
-/// A run of a scheme.
+/// A run of a scheme. Defined in engine.hpp.
 template <class L>
 std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const SimulationSettings& settings,
                                      std::unique_ptr<SchemePasses<L>> passes);
-
-/// True neighbours, r < h_i, self included: into `counts`, and their minimum, mean and maximum into the report.
-template <class L>
-void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report);
-
-/// Conserved sums and extremes. Positions are those of the run: in a periodic box angular momentum is about its origin
-/// and jumps when a particle is wrapped.
-template <class L>
-Totals totals(const Particles<L>& state);
 
 }  // namespace sphk

@@ -1,0 +1,8 @@
+#include "src/engine/engine.hpp"
+
+namespace sphk {
+
+[[gnu::used]] static const auto entropy_form = compiled_run<Layout<2, BaseFields, EntropyForm>>();
+[[gnu::used]] static const auto energy_form = compiled_run<Layout<2, BaseFields, EnergyForm>>();
+
+}  // namespace sphk

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "kernels/passes/schedule.hpp"
+#include "kernels/passes/sorted_cells.hpp"
+#include "src/engine/loading.hpp"
+#include "src/engine/scheme_interface.hpp"
+
+namespace sphk {
+
+namespace detail {
+
+/// A first support radius from the volume of each particle's cell: the searches start near their ends.
+template <class L>
+struct GuessSupport {
+  Particles<L> state;
+  double fallback;  ///< where a cell has no volume
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    constexpr int D = L::dimension;
+    if (state.template at<Support>(i) > 0) return;
+    const int cell = i / cell_size;
+    const Bounds<D>& b = state.tree.node(1, cell);
+    const int held = min(cell_size, state.n - cell * cell_size);
+    double longest = 0, volume = 1;
+    for (int d = 0; d < D; ++d) longest = max(longest, b.hi[d] - b.lo[d]);
+    for (int d = 0; d < D; ++d) volume *= max(b.hi[d] - b.lo[d], 0.1 * longest);
+    const double per_neighbour = volume / (held * unit_sphere<D>);
+    const double h = Kokkos::pow(state.parameters.neighbours * per_neighbour, 1.0 / D);
+    state.template at<Support>(i) = min(longest > 0 ? h : fallback, state.parameters.h_max);
+  }
+};
+
+/// Turns the loaded specific energies into the scheme's thermal variable, with the standard density.
+template <class L>
+struct ThermalFromEnergy {
+  Particles<L> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    double& s = state.template at<Thermal>(i);
+    s = L::ThermalForm::from_energy(s, state.template at<Density>(i), state.parameters.gamma);
+  }
+};
+
+/// Copies particles to the columns, with their specific energies as thermal variable.
+template <class L>
+void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, int alpha_row) {
+  constexpr int D = L::dimension;
+  const auto stride = static_cast<std::size_t>(state.columns.stride);
+  auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
+  auto ids = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.ids);
+  const auto row = [&]<class F>(F, int component) {
+    return host.data() + (component_offset<D, F, BaseFields> + component) * stride;
+  };
+  for (int i = 0; i < state.n; ++i) {
+    for (int d = 0; d < D; ++d) {
+      row(Position{}, d)[i] = particles.x[i][d];
+      row(Velocity{}, d)[i] = particles.v[i][d];
+    }
+    row(Mass{}, 0)[i] = particles.m[i];
+    row(Thermal{}, 0)[i] = particles.u[i];
+    row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
+    if (alpha_row >= 0) host(alpha_row * stride + i) = particles.alpha.empty() ? 0 : particles.alpha[i];
+    ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
+  }
+  Kokkos::deep_copy(ExecutionSpace(), state.columns.data, host);
+  Kokkos::deep_copy(ExecutionSpace(), state.ids, ids);
+  ExecutionSpace().fence("load particles");
+}
+
+/// Room for steps of the particles' own; all of them are at the start of a block.
+template <class L>
+void allow_individual_steps(Particles<L>& state, Schedule& schedule, const SimulationSettings& settings) {
+  const int n = state.n;
+  state.clock.individual = true;
+  state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
+  state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
+  state.active.masks = Kokkos::View<TargetMask*, MemorySpace>("active particles", state.tree.cells());
+  state.active.cell_numbers = Kokkos::View<int*, MemorySpace>("active cells", state.tree.cells());
+  schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
+  schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
+  schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
+  schedule.limiter = settings.step_limiter;
+  if (settings.max_dt > 0) schedule.longest = settings.max_dt;
+  Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block);
+}
+
+}  // namespace detail
+
+template <class L>
+Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, const SchemeFacts& facts,
+                const std::function<void(Run<L>&)>& find_supports) {
+  constexpr int D = L::dimension;
+  using Columns = typename Particles<L>::Columns;
+  const int n = static_cast<int>(given.size());
+  Domain<D> domain{};
+  for (int d = 0; d < D; ++d) {
+    domain.lower[d] = given.box.lower[d];
+    domain.period[d] = given.box.periodic[d] ? given.box.size[d] : 0;
+  }
+  const int stride = Columns::padded(n);
+  const Numbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
+  Run<L> run(
+      Particles<L>{n, Columns(rows, stride), Ids("ids", n), CellTree<D>(n, domain), parameters_of(given, settings)});
+  detail::copy_to_columns(run.state, given, facts.alpha_row);
+  run.time = given.time;
+  run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell
+  if (settings.individual_steps) detail::allow_individual_steps(run.state, run.schedule, settings);
+  sort_cells(run.state, run.sorter, run.schedule, run.step);
+  const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
+  Kokkos::parallel_for("guess support", all, detail::GuessSupport<L>{run.state, support_of_even_gas(given, settings)});
+  find_supports(run);
+  Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<L>{run.state});
+  return run;
+}
+
+}  // namespace sphk
