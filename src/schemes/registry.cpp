@@ -199,8 +199,8 @@ SchemeDescription describe(const SimulationSettings& settings, const ParticleSet
   description.kernel = settings.kernel;
   description.tabulated = row.kernel.empty();
   if (row.masses == Masses::equal)
-    description.left_out.push_back(settings.alpha_mass == 0 ? "mass dissipation: dissipation.mass = 0"
-                                                            : "mass dissipation: all masses are equal");
+    description.left_out.push_back(fmt::format(
+        "mass dissipation: {}", settings.alpha_mass == 0 ? "dissipation.mass = 0" : "all masses are equal"));
   return description;
 }
 

@@ -36,6 +36,13 @@ TEST(Terms, pressure_work) {
   EXPECT_NEAR((share<PressureWork, double, 1>(p.i, p.j).du), wanted, rounding * wanted);
 }
 
+TEST(Terms, pressure_work_of_tsph) {
+  const TwoParticles<double, 1> p;
+  // P_i/rho_i m_j/rho_j v_ij . grad Wbar.
+  const double wanted = 0.6 / 0.5 * 2 / 0.25 * -1 * 0.5 * (dW_i_1d + dW_j_1d);
+  EXPECT_NEAR((share<PressureWorkTsph, double, 1>(p.i, p.j).du), wanted, rounding * wanted);
+}
+
 TEST(Terms, gingold_monaghan_viscosity) {
   const TwoParticles<double, 1> p;
   // hs = 5/4; mu = hs (v.r)/(r^2 + 0.01 hs^2) = 1.25 * -1.5/(2.25 + 0.015625); c = sqrt(2), sqrt(6); Balsara mean 3/4;
@@ -56,6 +63,25 @@ TEST(Terms, signal_velocity_viscosity) {
   const auto sum = share<ViscositySignalVelocity, double, 1>(p.i, p.j, {.alpha = 0.8});
   EXPECT_NEAR(sum.a[0], -2 * Pi * dW, 4 * rounding * std::abs(2 * Pi * dW));
   EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
+}
+
+TEST(Terms, switched_viscosity) {
+  const TwoParticles<double, 1> p;
+  // v_sig = c_i + c_j - 3 w, w = -1; Pi = -(alpha_v/2) alpha_ij v_sig w / rho_ij, alpha_ij = (1/2 + 1/4)/2.
+  const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, Pi = 0.5 * 0.8 * 0.375 * v_sig / 0.375;
+  const double dW = 0.5 * (dW_i_1d + dW_j_1d);
+  const auto sum = share<ViscositySwitched, double, 1>(p.i, p.j, {.alpha = 0.8});
+  EXPECT_NEAR(sum.a[0], -2 * Pi * dW, 4 * rounding * std::abs(2 * Pi * dW));
+  EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
+}
+
+TEST(Terms, entropy_dissipation) {
+  const TwoParticles<double, 1> p;
+  // (m_j/rho_ij) alpha_ij v_sig^p L_ij (u_i - u_j) dWbar: alpha_ij = (3/4 + 3/8)/2, L = 0.3/1.5, u = P/((gamma-1) rho).
+  const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, dW = 0.5 * (dW_i_1d + dW_j_1d);
+  const double wanted = 0.7 * 2 / 0.375 * 0.5625 * v_sig * 0.2 * (1.8 - 5.4) * dW;
+  const Parameters parameters{.gamma = 5.0 / 3, .alpha_entropy = 0.7};
+  EXPECT_NEAR((share<EntropyDissipation, double, 1>(p.i, p.j, parameters).du), wanted, 8 * rounding * wanted);
 }
 
 TEST(Terms, largest_signal_velocity) {

@@ -10,7 +10,7 @@ namespace {
 template <class Term>
 struct Symmetries : testing::Test {};
 using ForceTerms = testing::Types<PressureGradientSph, PressureGradientTsph, PressureGradientConservative,
-                                  ViscosityGingoldMonaghan, ViscositySignalVelocity>;
+                                  ViscosityGingoldMonaghan, ViscositySignalVelocity, ViscositySwitched>;
 TYPED_TEST_SUITE(Symmetries, ForceTerms);
 
 TYPED_TEST(Symmetries, action_is_minus_reaction) {
@@ -56,7 +56,7 @@ TYPED_TEST(Symmetries, is_the_same_in_every_lane_of_a_pack) {
 
 template <class Term>
 struct Dissipation : testing::Test {};
-using DissipationTerms = testing::Types<ViscosityGingoldMonaghan, ViscositySignalVelocity>;
+using DissipationTerms = testing::Types<ViscosityGingoldMonaghan, ViscositySignalVelocity, ViscositySwitched>;
 TYPED_TEST_SUITE(Dissipation, DissipationTerms);
 
 TYPED_TEST(Dissipation, conserves_energy_and_heats) {
@@ -76,6 +76,33 @@ TYPED_TEST(Dissipation, vanishes_for_receding_particles_and_for_particles_at_res
   EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).du), 0);
   p.i.v = p.j.v;
   EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).a[0]), 0);
+}
+
+/// The energy form of eq 7: heat takes up what the force takes from the motion, for a pair that approaches and one that
+/// recedes.
+TEST(EnergyBudget, of_the_pressure_force_and_its_work_is_closed) {
+  for (const double towards : {-1.0, 1.0}) {
+    TwoParticles<double, 3> p;
+    p.i.v[0] *= towards, p.j.v[0] *= towards;
+    const TwoParticles<double, 3>& q = p;
+    const auto force_i = share<PressureGradientTsph, double, 3>(q.i, q.j),
+               force_j = share<PressureGradientTsph, double, 3>(q.j, q.i);
+    double kinetic = 0;
+    for (int d = 0; d < 3; ++d) kinetic += q.i.m * q.i.v[d] * force_i.a[d] + q.j.m * q.j.v[d] * force_j.a[d];
+    const double heat = q.i.m * share<PressureWorkTsph, double, 3>(q.i, q.j).du +
+                        q.j.m * share<PressureWorkTsph, double, 3>(q.j, q.i).du;
+    EXPECT_GT(towards * heat, 0) << "compression heats, expansion cools";
+    EXPECT_NEAR(kinetic + heat, 0, 1e-14 * std::abs(heat));
+  }
+}
+
+/// Entropy dissipation moves heat from the particle with more of it to the other.
+TEST(EnergyBudget, of_entropy_dissipation_is_closed) {
+  const TwoParticles<double, 3> p;  // u_i = 1.8, u_j = 5.4
+  const double to_i = p.i.m * share<EntropyDissipation, double, 3>(p.i, p.j).du,
+               to_j = p.j.m * share<EntropyDissipation, double, 3>(p.j, p.i).du;
+  EXPECT_GT(to_i, 0);
+  EXPECT_NEAR(to_i + to_j, 0, 1e-14 * to_i);
 }
 
 }  // namespace

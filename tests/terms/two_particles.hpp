@@ -4,21 +4,25 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/pair.hpp"
+#include "kernels/terms/entropy_dissipation.hpp"
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_sph.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
 #include "kernels/terms/pressure_work.hpp"
+#include "kernels/terms/pressure_work_tsph.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "kernels/terms/velocity_gradient.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "kernels/terms/viscosity_signal_velocity.hpp"
+#include "kernels/terms/viscosity_switched.hpp"
 #include "kernels/terms/zeroth_order_error.hpp"
 
 namespace sphk::test {
 
 /// Every field that a pair term reads.
-using Everything = List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density,
-                        InverseDensity, Pressure, PressureOverDensity2, GradHMass, SoundSpeed, Balsara>;
+using Everything =
+    List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density, InverseDensity, Pressure,
+         PressureOverDensity2, GradHMass, SoundSpeed, Balsara, ViscosityAlpha, DissipationAlpha>;
 
 template <class T, int D>
 using Particle = Values<T, D, Everything>;
@@ -63,6 +67,7 @@ struct TwoParticles {
   static void fill(Particle<T, D>& p, double h, double m, double rho, double P, double balsara, double z) {
     p.h = T(h), p.h_inv = T(1 / h), p.m = T(m), p.rho = T(rho), p.rho_inv = T(1 / rho), p.P = T(P);
     p.P_rho2 = T(P / (rho * rho)), p.c = T(std::sqrt(5.0 / 3 * P / rho)), p.balsara = T(balsara), p.z = T(z);
+    p.alpha_v = T(0.5 * balsara), p.alpha_d = T(0.75 * balsara);
   }
 };
 
