@@ -78,7 +78,10 @@ class Blob final : public Scene {
     prefer_usual_gas(settings, 2 * growth_time());
     adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, 3); }
+  void adapt(Settings& settings) const override {
+    prefer_usual_kernel(settings, 3);
+    prefer_conserved_energy(settings);
+  }
 
   ParticleSet build(const Settings& settings) const override {
     const int n = scene_n(settings);

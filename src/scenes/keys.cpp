@@ -46,6 +46,11 @@ void prefer_usual_kernel(Settings& settings, int dimension) {
   prefer_unless_set(settings, "sph.neighbours", sphs ? wide : usual_neighbours(dimension));
 }
 
+void prefer_conserved_energy(Settings& settings) {
+  const bool sphs = settings.has("sph.scheme") && settings.text("sph.scheme") == "sphs";
+  prefer_unless_set(settings, "sph.energy", sphs ? "energy" : "entropy");
+}
+
 double usual_neighbours(int dimension) { return dimension == 1 ? 5 : dimension == 2 ? 20 : 48; }
 
 int scene_n(const Settings& settings) { return static_cast<int>(settings.integer("scene.n")); }

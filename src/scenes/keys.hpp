@@ -27,6 +27,10 @@ void prefer_usual_gas(Settings& settings, double end);
 /// 60; else usual_neighbours.
 void prefer_usual_kernel(Settings& settings, int dimension);
 
+/// In flows that mix gases: sphs integrates u, which its pressure force then conserves together with the motion. With A
+/// the energy of a layer drifts by per cents while entropies mix.
+void prefer_conserved_energy(Settings& settings);
+
 /// N_n for a support of about 2.3 to 2.5 mean spacings: 48 in 3D, 20 in 2D, 5 in 1D.
 double usual_neighbours(int dimension);
 

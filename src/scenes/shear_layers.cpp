@@ -65,6 +65,7 @@ void ShearLayers::declare(Settings& settings) const {
 
 void ShearLayers::adapt(Settings& settings) const {
   prefer_usual_kernel(settings, scene_dimension(settings));
+  prefer_conserved_energy(settings);
 }
 
 ParticleSet ShearLayers::build(const Settings& settings) const {

@@ -19,6 +19,7 @@ std::optional<KeyValues> keys_of_label(const std::string& text) {
     std::ranges::transform(*name, name->begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   KeyValues keys{
       {"sph.scheme", morris ? scheme + "-morris" : scheme}, {"sph.kernel", kernel}, {"sph.neighbours", part[4]}};
+  if (scheme == "sphs") keys.emplace_back("sph.energy", "entropy");  // whatever the scene prefers
   if (part[6].matched) keys.emplace_back("scene.masses", "multi");
   if (part[7].matched) keys.emplace_back("scene.lattice", "glass");
   return keys;

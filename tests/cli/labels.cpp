@@ -8,8 +8,10 @@ namespace sphk {
 namespace {
 
 TEST(Labels, StandForSchemeKernelAndNeighbours) {
-  EXPECT_EQ(keys_of_label("SPHS-HCT442"),
-            (KeyValues{{"sph.scheme", "sphs"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));
+  EXPECT_EQ(
+      keys_of_label("SPHS-HCT442"),
+      (KeyValues{
+          {"sph.scheme", "sphs"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "entropy"}}));
   EXPECT_EQ(keys_of_label("SPH-CS42"),
             (KeyValues{{"sph.scheme", "gadget2"}, {"sph.kernel", "cs"}, {"sph.neighbours", "42"}}));
   EXPECT_EQ(keys_of_label("TSPH-HOCT4-442"),
@@ -17,6 +19,7 @@ TEST(Labels, StandForSchemeKernelAndNeighbours) {
   EXPECT_EQ(keys_of_label("SPHS-CT128e-multi-g"), (KeyValues{{"sph.scheme", "sphs-morris"},
                                                              {"sph.kernel", "ct"},
                                                              {"sph.neighbours", "128"},
+                                                             {"sph.energy", "entropy"},
                                                              {"scene.masses", "multi"},
                                                              {"scene.lattice", "glass"}}));
   EXPECT_EQ(keys_of_label("SPHS-HCT442g"), keys_of_label("SPHS-HCT442-g")) << "S12 writes its suffixes without a dash";
