@@ -100,10 +100,12 @@ void add_plot(CLI::App& root, Options& o) {
   app.add_option("what", o.plot.what, "a run's folder, or one of its snapshots; several: their maps in one figure")
       ->required();
   app.add_flag("--exact,!--no-exact", o.plot.exact, "draw the exact solution where the scene has one (default)");
+  app.add_flag("--conservation", o.plot.conservation, "draw how well the runs conserve, in one figure");
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
   app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
   app.footer("Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
-             "  sphk plot blob-run blob-run-2 --out both.png");
+             "  sphk plot blob-run blob-run-2 --out both.png\n"
+             "  sphk plot sod-run gresho-run --conservation --out conserved.png");
 }
 
 void add_rates(CLI::App& root, Options& o) {

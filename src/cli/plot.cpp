@@ -132,9 +132,32 @@ void plot_side_by_side(const PlotOptions& options) {
   run_plot_script(Json{{"beside", maps}, {"out", options.out->string()}}.dump());
 }
 
+/// How well one or several runs conserve, in one figure.
+void plot_conservation(const PlotOptions& options) {
+  if (!options.out || options.out->extension() != ".png")
+    throw InputError("--conservation draws one figure for all runs: name it with --out FILE.png");
+  Json runs = Json::array();
+  for (const std::string& what : options.what) {
+    const Targets targets = find_targets(what, false);
+    const fs::path history = targets.folder / "history.csv";
+    if (!fs::exists(history))
+      throw InputError(fmt::format("{} holds no history.csv; is it the folder of a run?", targets.folder.string()));
+    const auto problem = problem_of(targets);
+    const auto title = problem ? fmt::format("{}, {} ({})", problem->scene->name(),
+                                             problem->settings.text("sph.scheme"), problem->settings.text("sph.energy"))
+                               : targets.folder.filename().string();
+    runs.push_back({{"history", history.string()}, {"title", title}});
+  }
+  run_plot_script(Json{{"conservation", runs}, {"out", options.out->string()}}.dump());
+}
+
 }  // namespace
 
 int plot_command(const PlotOptions& options) {
+  if (options.conservation) {
+    plot_conservation(options);
+    return ExitCode::done;
+  }
   if (options.what.size() > 1) {
     plot_side_by_side(options);
     return ExitCode::done;

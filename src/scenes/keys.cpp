@@ -40,9 +40,9 @@ void prefer_usual_gas(Settings& settings, double end) {
 
 void prefer_usual_kernel(Settings& settings, int dimension) {
   const bool sphs = settings.has("sph.scheme") && settings.text("sph.scheme").starts_with("sphs");
-  // S12's kernel and neighbours in 3D, the same radius in 1D; in 2D WC6 grows the layer of kh12 closer to grid runs.
+  // S12's kernel and neighbours in 3D, the same radius in 1D; in 2D WC6 grows layers closer to grid runs.
   if (sphs) prefer_unless_set(settings, "sph.kernel", dimension == 2 ? "wc6" : "hoct4");
-  const double wide = dimension == 1 ? 10 : dimension == 2 ? 60 : 442;
+  const double wide = dimension == 1 ? 10 : dimension == 2 ? 100 : 442;
   prefer_unless_set(settings, "sph.neighbours", sphs ? wide : usual_neighbours(dimension));
 }
 

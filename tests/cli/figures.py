@@ -71,6 +71,15 @@ class Figures(unittest.TestCase):
         self.assertGreater(image.shape[1] / image.shape[0], 1.4)  # two square maps in a row
         self.assertIn("--out FILE.png", self.sphk("plot", "run", "other", code=2))
 
+    def test_runs_show_how_well_they_conserve_in_one_figure(self):
+        self.sphk("run", "gresho", "-n", "16", "--set", "scene.dimension=2", "--scheme", "gadget2", "--steps", "1",
+                  "--out", "third")
+        self.sphk("plot", "run", "third", "--conservation", "--out", "conserved.png")
+        pixels = colours(os.path.join(self.folder, "conserved.png"))[0]
+        for colour in ("#0072b2", "#d55e00"):
+            self.assertGreater(share(pixels, colour), 1e-5, "a line a run")
+        self.assertIn("--out FILE.png", self.sphk("plot", "run", "--conservation", code=2))
+
     def test_without_exact_there_is_no_exact_line(self):
         self.sphk("plot", "run/snap_0000.hdf5", "--no-exact", "--out", "bare.png")
         self.assertLess(share(colours(os.path.join(self.folder, "bare.png"))[0], "#d55e00"), 1e-4)

@@ -90,6 +90,32 @@ def draw_measure(axes, history, name):
         axes.set_yscale("log")
 
 
+def draw_conservation(runs, path):
+    """The drifts of several runs, each over its own length, as S12 fig. 10."""
+    figure, grid = plt.subplots(2, 2, figsize=(11.2, 8.4), sharex=True, constrained_layout=True)
+    for axes, (name, label) in zip(grid.flat, DRIFTS.items()):
+        for k, run in enumerate(runs):
+            history = read_history(run["history"])
+            if name not in history or len(history["time"]) < 2:
+                continue
+            time, drift = history["time"], history[name]
+            since_start = (time[1:] - time[0]) / (time[-1] - time[0])
+            axes.plot(since_start, np.maximum(drift[1:], 1e-17), "-", marker=MARKERS[k % len(MARKERS)], ms=4, lw=1.6,
+                      color=LINES[k % len(LINES)], label=run["title"])
+        axes.axhline(0.01, color="#555555", lw=1, ls=":")
+        axes.annotate("1 %", (0.99, 0.008), xycoords=axes.get_yaxis_transform(), color="#555555", fontsize=11,
+                      ha="right", va="top")
+        axes.set_yscale("log")
+        axes.set_ylim(bottom=1e-17, top=1)
+        axes.set_ylabel("relative drift of " + label)
+    for axes in grid[-1]:
+        axes.set_xlabel("time over the run's length")
+    legend_rows = -(-len(runs) // 3)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.035 * legend_rows), w_pad=0.12, h_pad=0.12)
+    figure.legend(*grid[0][0].get_legend_handles_labels(), loc="upper center", ncol=3)
+    save(figure, path)
+
+
 def draw_history(history, title, path):
     panels = [draw_drifts, draw_energies]
     if any("l1_" + name in history for name in SYMBOLS):

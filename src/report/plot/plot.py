@@ -20,7 +20,7 @@ except ImportError:
     sys.exit(MISSING_PACKAGE)
 
 from density_map import draw_density_maps
-from history import draw_history, errors_at, read_history
+from history import draw_conservation, draw_history, errors_at, read_history
 from profiles import draw_profiles
 from snapshot import Snapshot
 
@@ -32,6 +32,9 @@ def has_map(item):
 
 def main():
     work = json.load(sys.stdin)
+    if work.get("conservation"):
+        draw_conservation(work["conservation"], work["out"])
+        return
     if work.get("beside"):
         draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"])
         return
