@@ -24,7 +24,7 @@ bool has_equal_masses(const Settings& settings);
 void prefer_usual_gas(Settings& settings, double end);
 
 /// Kernel and neighbour number: for sphs S12's HOCT4 with 442 neighbours (a support of 4.7 spacings), in 2D WC6 with
-/// 60; else usual_neighbours.
+/// 100; else usual_neighbours.
 void prefer_usual_kernel(Settings& settings, int dimension);
 
 /// In flows that mix gases: sphs integrates u, which its pressure force then conserves together with the motion. With A
