@@ -40,9 +40,11 @@ struct AssignSteps {
   Particles<L> state;
   Ticks start;
   double longest;  ///< as a time
+  bool at_most_double;  ///< no step is more than twice as long as the one before
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
     Ticks ticks = power_of_two_below(min(state.step_asked(i), longest) / state.clock.tick);
+    if (at_most_double) ticks = min(ticks, 2 * (state.clock.end(i) - state.clock.begin(i)));
     while (start % ticks != 0) ticks /= 2;
     state.clock.begin(i) = start;
     state.clock.end(i) = start + ticks;
@@ -179,7 +181,7 @@ void limit_steps(const Particles<L>& state, const Schedule& schedule, Ticks star
 template <class L>
 void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks start) {
   Kokkos::parallel_for("assign steps", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
-                       detail::AssignSteps<L>{state, start, schedule.longest});
+                       detail::AssignSteps<L>{state, start, schedule.longest, schedule.starting && start > 0});
   if (schedule.limiter) detail::limit_steps(state, schedule, start);
 }
 

@@ -129,7 +129,11 @@ class Engine final : public Simulation {
     clock.tick = (block_end_ - block_begin_) / static_cast<double>(StepClock::block);
     clock.now = clock.next = 0;
     run_.state.active.everyone = true;
-    assign_steps(run_.state, run_.schedule, 0);
+    // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike times.
+    run_.schedule.starting = run_.time == start_;
+    Schedule schedule = run_.schedule;
+    if (schedule.starting) schedule.longest = std::min(schedule.longest, run_.limit.dt);
+    assign_steps(run_.state, schedule, 0);
   }
 
   /// The limit's dt, cut to end at t_end without a sliver of a step after it.
@@ -147,7 +151,7 @@ class Engine final : public Simulation {
   Box origin_;
   Field tags_;  ///< they do not change, and snapshots are sorted by id too
   double steps_accept_, max_dt_;
-  double end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
+  double start_ = run_.time, end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
   long updates_since_count_ = 0;
   std::vector<double> seconds_;  ///< of the passes
   StepReport report_;
