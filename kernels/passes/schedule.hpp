@@ -39,7 +39,7 @@ template <class L>
 struct AssignSteps {
   Particles<L> state;
   Ticks start;
-  double longest;  ///< as a time
+  double longest;       ///< as a time
   bool at_most_double;  ///< no step is more than twice as long as the one before
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;

@@ -129,7 +129,8 @@ class Engine final : public Simulation {
     clock.tick = (block_end_ - block_begin_) / static_cast<double>(StepClock::block);
     clock.now = clock.next = 0;
     run_.state.active.everyone = true;
-    // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike times.
+    // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike
+    // times.
     run_.schedule.starting = run_.time == start_;
     Schedule schedule = run_.schedule;
     if (schedule.starting) schedule.longest = std::min(schedule.longest, run_.limit.dt);
