@@ -131,7 +131,7 @@ class Engine final : public Simulation {
     run_.state.active.everyone = true;
     // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike
     // times.
-    run_.schedule.starting = run_.time == start_;
+    run_.schedule.starting = run_.schedule.limiter && run_.time == start_;
     Schedule schedule = run_.schedule;
     if (schedule.starting) schedule.longest = std::min(schedule.longest, run_.limit.dt);
     assign_steps(run_.state, schedule, 0);

@@ -149,7 +149,11 @@ void declare_engine_keys(Settings& settings) {
                     "auto",
                     "individual steps of the particles in powers of two, or a global one; auto: individual for sphs",
                     {"auto", "individual", "global"}});
-  settings.declare({"time.limiter", true, "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009)", {}});
+  settings.declare(
+      {"time.limiter",
+       true,
+       "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009), and begin with one step for all",
+       {}});
   settings.declare({"time.courant",
                     0.0,
                     "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for the others",
