@@ -1,0 +1,178 @@
+#include "src/stability/dispersion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "kernels/passes/support_search.hpp"
+#include "kernels/smoothing/list.hpp"
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A cell of the given edges and basis (in units of the edges), scaled to one particle in a unit of volume.
+Lattice scaled(const std::string& name, int dimension, std::array<Array3, 3> edges, const std::vector<Array3>& basis) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  for (int a = 0; a < dimension; ++a)
+    for (int d = 0; d < dimension; ++d) matrix(a, d) = edges[a][d];
+  const double scale = std::pow(static_cast<double>(basis.size()) / std::abs(matrix.determinant()), 1.0 / dimension);
+  Lattice lattice{.name = name, .dimension = dimension, .edges = edges, .basis = {}};
+  for (Array3& edge : lattice.edges)
+    for (double& x : edge) x *= scale;
+  for (const Array3& b : basis) {
+    Array3 x{};
+    for (int a = 0; a < dimension; ++a)
+      for (int d = 0; d < dimension; ++d) x[d] += b[a] * lattice.edges[a][d];
+    lattice.basis.push_back(x);
+  }
+  return lattice;
+}
+
+double dot(const Array3& a, const Array3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// w'' by differences of w', which the kernels have in closed form; pieces of polynomials, so the error is that of
+/// rounding but at their joints, where this is the mean of both sides.
+double second_derivative(const auto& kernel, double q) {
+  const double step = 1e-5;
+  const auto slope = [&](double s) { return (kernel(q + s).dw - kernel(q - s).dw) / (2 * s); };
+  return (4 * slope(step) - slope(2 * step)) / 3;
+}
+
+}  // namespace
+
+const std::vector<Lattice>& lattices() {
+  const double up = std::sqrt(0.75), high = std::sqrt(8.0 / 3);
+  static const std::vector<Lattice> all{
+      scaled("cubic", 3, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {{0, 0, 0}}),
+      scaled("bcc", 3, {{{-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}}, {{0, 0, 0}}),
+      scaled("fcc", 3, {{{0, 1, 1}, {1, 0, 1}, {1, 1, 0}}}, {{0, 0, 0}}),
+      scaled("hcp", 3, {{{1, 0, 0}, {0.5, up, 0}, {0, 0, high}}}, {{0, 0, 0}, {1.0 / 3, 1.0 / 3, 0.5}}),
+      scaled("square", 2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {{0, 0, 0}}),
+      scaled("hexagonal", 2, {{{1, 0, 0}, {0.5, up, 0}, {0, 0, 1}}}, {{0, 0, 0}}),
+      scaled("line", 1, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {{0, 0, 0}})};
+  return all;
+}
+
+const Lattice& find_lattice(const std::string& name) {
+  const auto found = std::ranges::find(lattices(), name, &Lattice::name);
+  if (found != lattices().end()) return *found;
+  std::vector<std::string> names;
+  for (const Lattice& lattice : lattices()) names.push_back(lattice.name);
+  throw InputError(fmt::format("there is no lattice \"{}\"; known are {}", name, fmt::join(names, ", ")));
+}
+
+Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double h, double gamma)
+    : dimension_(lattice.dimension), sites_(static_cast<int>(lattice.basis.size())), gamma_(gamma), rho_(0) {
+  const int D = dimension_, reach = static_cast<int>(std::ceil(2 * h)) + 2;
+  with_kernel(kernel, [&](const auto& shape) {
+    const double norm = shape.norm(D) / std::pow(h, D);
+    const std::array<int, 3> cells{reach, D > 1 ? reach : 0, D > 2 ? reach : 0};
+    rho_ = norm * shape(0.0).w;
+    for (int of = 0; of < sites_; ++of)
+      for (int site = 0; site < sites_; ++site)
+        for (int a = -cells[0]; a <= cells[0]; ++a)
+          for (int b = -cells[1]; b <= cells[1]; ++b)
+            for (int c = -cells[2]; c <= cells[2]; ++c) {
+              Array3 x{};  // x_i - x_j
+              for (int d = 0; d < D; ++d)
+                x[d] = lattice.basis[of][d] - lattice.basis[site][d] - a * lattice.edges[0][d] -
+                       b * lattice.edges[1][d] - c * lattice.edges[2][d];
+              const double r = std::sqrt(dot(x, x)), q = r / h;
+              if (r < 1e-9 || q >= 1) continue;
+              if (of == 0) rho_ += norm * shape(q).w;
+              const double slope = norm / h * shape(q).dw, curvature = norm / (h * h) * second_derivative(shape, q);
+              Pair pair{.of = of, .site = site, .x = x, .grad = {}, .hessian = {}};
+              for (int d = 0; d < D; ++d) {
+                pair.grad[d] = slope * x[d] / r;
+                for (int e = 0; e < D; ++e)
+                  pair.hessian[d][e] =
+                      curvature * x[d] * x[e] / (r * r) + slope / r * ((d == e) - x[d] * x[e] / (r * r));
+              }
+              pairs_.push_back(pair);
+            }
+    return 0;
+  });
+}
+
+WaveModes Dispersion::at(const Array3& k) const {
+  // With m = P_0 = 1: omega^2 a_s = 2/rho^2 sum_t H_st (a_s - a_t e^(-ik.x)) - (gamma - 2)/rho^3 sum_t g_st sum_u g_tu
+  // . a_u, g_st = sum e^(-ik.x) grad W over the pairs of sites s and t. Here times rho^2.
+  const int D = dimension_, size = D * sites_;
+  Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(size, size), g = Eigen::MatrixXcd::Zero(size, sites_);
+  for (const Pair& pair : pairs_) {
+    const Complex phase = std::polar(1.0, -dot(k, pair.x));
+    const int i = D * pair.of, j = D * pair.site;
+    for (int d = 0; d < D; ++d) {
+      g(i + d, pair.site) += phase * pair.grad[d];
+      for (int e = 0; e < D; ++e) {
+        matrix(i + d, i + e) += 2 * pair.hessian[d][e];
+        matrix(i + d, j + e) -= 2.0 * phase * pair.hessian[d][e];
+      }
+    }
+  }
+  Eigen::MatrixXcd change(sites_, size);  // of the density of site t: -sum_u g_tu . a_u
+  for (int t = 0; t < sites_; ++t)
+    for (int u = 0; u < sites_; ++u)
+      for (int d = 0; d < D; ++d) change(t, D * u + d) = -g(D * t + d, u);
+  matrix += (gamma_ - 2) / rho_ * g * change;
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> waves(matrix);
+  const double k2 = dot(k, k), nothing = std::numeric_limits<double>::quiet_NaN();
+  WaveModes modes{nothing, nothing, nothing};
+  for (int n = 0; n < size; ++n) {  // eigenvalues rise
+    double together = 0;
+    Complex along = 0;
+    for (int d = 0; d < D; ++d) {
+      Complex sum = 0;
+      for (int s = 0; s < sites_; ++s) sum += waves.eigenvectors()(D * s + d, n);
+      together += std::norm(sum) / sites_;
+      along += k[d] * sum;
+    }
+    double& mode = together < 0.5                                    ? modes.relative
+                   : std::norm(along) > 0.5 * together * sites_ * k2 ? modes.longitudinal
+                                                                     : modes.transverse;
+    if (std::isnan(mode)) mode = waves.eigenvalues()(n) / (rho_ * k2 * gamma_);
+  }
+  return modes;
+}
+
+std::vector<WaveDirection> wave_directions(int dimension) {
+  if (dimension == 1) return {{"(1)", {1, 0, 0}}};
+  if (dimension == 2) return {{"(1,0)", {1, 0, 0}}, {"(1,1)", {1, 1, 0}}};
+  return {{"(1,0,0)", {1, 0, 0}}, {"(1,1,0)", {1, 1, 0}}, {"(1,1,1)", {1, 1, 1}}};
+}
+
+WaveModes slowest_waves(const Dispersion& dispersion, const Array3& direction, int samples) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  WaveModes slowest{nothing, nothing, nothing};
+  for (int n = 1; n <= samples; ++n) {
+    const double kappa = std::numbers::pi * n / samples;
+    const WaveModes modes = dispersion.at({kappa * direction[0], kappa * direction[1], kappa * direction[2]});
+    slowest = {std::fmin(slowest.longitudinal, modes.longitudinal), std::fmin(slowest.transverse, modes.transverse),
+               std::fmin(slowest.relative, modes.relative)};
+  }
+  return slowest;
+}
+
+double lattice_support(double neighbours, int dimension) {
+  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
+  return std::pow(neighbours / sphere, 1.0 / dimension);
+}
+
+double lattice_neighbours(double h, int dimension) {
+  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
+  return sphere * std::pow(h, dimension);
+}
+
+}  // namespace sphk

@@ -1,0 +1,145 @@
+// Linear waves of SPH on lattices against published minima, against limits, and against runs of the engine.
+#include "src/stability/dispersion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "src/engine/errors.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk::test {
+namespace {
+
+constexpr double gamma_gas = 5.0 / 3;
+
+/// A published number and the unit of its last digit.
+struct Digits {
+  double value, unit;
+};
+
+struct Case {
+  const char *lattice, *kernel;
+  double h;
+  Digits longitudinal, transverse;  ///< minima over the directions
+};
+
+class Minima : public testing::TestWithParam<Case> {};
+
+WaveModes least_of_all(const Lattice& lattice, const std::string& kernel, double h) {
+  const Dispersion dispersion(lattice, kernel, h, gamma_gas);
+  WaveModes least{1e300, 1e300, 1e300};
+  for (const WaveDirection& direction : wave_directions(lattice.dimension)) {
+    const WaveModes slowest = slowest_waves(dispersion, direction.k, 400);
+    least.longitudinal = std::min(least.longitudinal, slowest.longitudinal);
+    least.transverse = std::min(least.transverse, slowest.transverse);
+  }
+  return least;
+}
+
+/// Minima of omega^2/(k^2 c^2) for kappa up to pi by an independent computation, to the digits that are given, of which
+/// some were cut and not rounded; h, too, has two digits after the point.
+TEST_P(Minima, are_those_of_the_table) {
+  const auto& [name, kernel, h, longitudinal, transverse] = GetParam();
+  const Lattice& lattice = find_lattice(name);
+  const WaveModes least = least_of_all(lattice, kernel, h), below = least_of_all(lattice, kernel, h - 0.005),
+                  above = least_of_all(lattice, kernel, h + 0.005);
+  EXPECT_NEAR(least.longitudinal, longitudinal.value,
+              longitudinal.unit + 0.5 * std::abs(above.longitudinal - below.longitudinal));
+  EXPECT_NEAR(least.transverse, transverse.value,
+              transverse.unit + 0.5 * std::abs(above.transverse - below.transverse));
+}
+const double h32 = lattice_support(32, 2);
+INSTANTIATE_TEST_SUITE_P(Lattices, Minima,
+                         testing::Values(Case{"cubic", "hoct4", 2.86, {4.04e-3, 1e-5}, {3.54e-3, 1e-5}},
+                                         Case{"cubic", "hoct4", 4.75, {6.1e-4, 1e-5}, {-5e-5, 1e-5}},
+                                         Case{"cubic", "ct", 3.14, {-2.4e-3, 1e-4}, {-4.9e-2, 1e-3}},
+                                         Case{"cubic", "ct", 4.75, {4.3e-4, 1e-5}, {1.7e-4, 1e-5}},
+                                         Case{"cubic", "cs", 2.0, {2.3e-2, 1e-3}, {-9.8e-3, 1e-4}},
+                                         Case{"cubic", "cs", 3.14, {-3.8e-3, 1e-4}, {-5.2e-2, 1e-3}},
+                                         Case{"square", "cs", h32, {-4.8e-3, 1e-4}, {-4.2e-2, 1e-3}},
+                                         Case{"square", "liq", h32, {2.6e-3, 1e-4}, {-2.9e-2, 1e-3}},
+                                         Case{"square", "ct", h32, {-7e-4, 1e-4}, {-3.3e-2, 1e-3}}));
+
+/// Long waves are sound waves along k and nothing across it, on every lattice: to (k h)^2 and to the error of the
+/// kernel's sums, which is small for many neighbours.
+TEST(Dispersion, of_long_waves_is_that_of_sound) {
+  for (const Lattice& lattice : lattices()) {
+    const double h = lattice.dimension == 1 ? 6 : 5;
+    const WaveModes modes = Dispersion(lattice, "wc6", h, gamma_gas).at({0.02, 0, 0});
+    EXPECT_NEAR(modes.longitudinal, 1, 0.01) << lattice.name;
+    if (lattice.dimension > 1) EXPECT_NEAR(modes.transverse, 0, 0.01) << lattice.name;
+  }
+}
+
+/// hcp with two particles a cell, against the same arrangement with its cell doubled along one edge: the waves of the
+/// small cell are among those of the large one.
+TEST(Dispersion, does_not_depend_on_the_choice_of_the_cell) {
+  const Lattice& hcp = find_lattice("hcp");
+  Lattice doubled = hcp;
+  for (const Array3& x : hcp.basis)
+    doubled.basis.push_back({x[0] + hcp.edges[2][0], x[1] + hcp.edges[2][1], x[2] + hcp.edges[2][2]});
+  for (double& x : doubled.edges[2]) x *= 2;
+  const double h = lattice_support(60, 3);
+  const WaveModes once = Dispersion(hcp, "hoct4", h, gamma_gas).at({0.4, 0.3, 0.2}),
+                  twice = Dispersion(doubled, "hoct4", h, gamma_gas).at({0.4, 0.3, 0.2});
+  EXPECT_NEAR(twice.longitudinal, once.longitudinal, 1e-9);
+  EXPECT_NEAR(twice.transverse, once.transverse, 1e-9);
+  EXPECT_LE(twice.relative, once.relative + 1e-9) << "more particles a cell, more ways to move";
+}
+
+TEST(Dispersion, names_lattices_and_kernels) {
+  EXPECT_THROW(find_lattice("cubical"), InputError);
+  EXPECT_THROW(Dispersion(find_lattice("cubic"), "no such kernel", 2, gamma_gas), std::invalid_argument);
+}
+
+/// How the amplitude of a small transverse wave along (1,1,0) grows in a run, for a displacement along `push`.
+double grown(const Array3& push, double neighbours, double end) {
+  constexpr int side = 8;
+  const double amplitude = 1e-6;
+  const auto place = [](int i) { return Array3{i % side + 0.5, i / side % side + 0.5, i / (side * side) + 0.5}; };
+  const auto wave = [](const Array3& x) { return std::cos(std::numbers::pi / 2 * (x[0] + x[1])); };
+  ParticleSet gas;
+  gas.dimension = 3;
+  gas.box = {{0, 0, 0}, {side, side, side}, {true, true, true}};
+  for (int i = 0; i < side * side * side; ++i) {
+    Array3 x = place(i);
+    const double shift = amplitude * wave(x);
+    for (int d = 0; d < 3; ++d) x[d] += shift * push[d];
+    gas.x.push_back(x);
+    gas.v.push_back({});
+    gas.m.push_back(1);
+    gas.u.push_back(1);
+  }
+  SimulationSettings s;
+  s.scheme = "sph", s.kernel = "cs", s.neighbours = neighbours, s.precision = "double", s.courant = 0.05;
+  s.viscosity_alpha = s.viscosity_beta = 0;
+  const auto run = make_simulation(gas, s);
+  while (run->time() < end) run->step(end);
+  const Snapshot after = run->snapshot();
+  const auto& x = after.field("Coordinates").values;
+  double sum = 0, norm = 0;
+  for (int i = 0; i < side * side * side; ++i) {
+    const Array3 from = place(i);
+    for (int d = 0; d < 3; ++d) sum += wave(from) * push[d] * (x[3 * i + d] - from[d]);
+    norm += wave(from) * wave(from);
+  }
+  return sum / (norm * amplitude);
+}
+
+/// A transverse wave that the map calls unstable leaves the lattice as cosh(sigma t), sigma^2 = -omega^2; h hardly
+/// changes in such a wave, as the map assumes. The faster of the two polarisations is the map's.
+TEST(Dispersion, predicts_how_a_run_leaves_an_unstable_lattice) {
+  const double neighbours = 128, kappa = std::numbers::pi / 2;
+  const WaveModes modes =
+      Dispersion(find_lattice("cubic"), "cs", lattice_support(neighbours, 3), gamma_gas).at({kappa, kappa, 0});
+  ASSERT_LT(modes.transverse, -0.01);
+  const double k2 = 2 * kappa * kappa, c2 = gamma_gas * (gamma_gas - 1);  // of u = 1
+  const double sigma = std::sqrt(-modes.transverse * k2 * c2), end = 3 / sigma, half = std::sqrt(0.5);
+  const double fastest = std::max(grown({half, -half, 0}, neighbours, end), grown({0, 0, 1}, neighbours, end));
+  EXPECT_NEAR(fastest, std::cosh(3), 0.02 * std::cosh(3));
+}
+
+}  // namespace
+}  // namespace sphk::test
