@@ -24,6 +24,7 @@ struct Options {
   int threads = 0;
   RunOptions run;
   PlotOptions plot;
+  StabilityOptions stability;
   bool split = false;
   std::string alpha = "auto";
 };
@@ -103,9 +104,10 @@ void add_plot(CLI::App& root, Options& o) {
   app.add_flag("--conservation", o.plot.conservation, "draw how well the runs conserve, in one figure");
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
   app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
-  app.footer("Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
-             "  sphk plot blob-run blob-run-2 --out both.png\n"
-             "  sphk plot sod-run gresho-run --conservation --out conserved.png");
+  app.footer(
+      "Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
+      "  sphk plot blob-run blob-run-2 --out both.png\n"
+      "  sphk plot sod-run gresho-run --conservation --out conserved.png");
 }
 
 void add_rates(CLI::App& root, Options& o) {
@@ -122,6 +124,21 @@ void add_rates(CLI::App& root, Options& o) {
   app.footer(
       "Computes in double, unless --precision says otherwise.\nExample:\n"
       "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
+}
+
+void add_stability(CLI::App& root, Options& o) {
+  CLI::App& app =
+      *root.add_subcommand("stability", "which waves a kernel and neighbour number keep on a lattice (R10)");
+  app.add_option("--kernel", o.stability.kernel, "the smoothing kernel: cs, ct, hoct4, wc2, ...")->required();
+  CLI::Option* count = app.add_option("--neighbours", o.stability.neighbours, "the neighbour number")->type_name("N");
+  app.add_option("--h", o.stability.h, "the support radius in spacings, in place of a neighbour number")
+      ->excludes(count);
+  app.add_option("--lattice", o.stability.lattice, "cubic, bcc, fcc, hcp; in 2D square, hexagonal; in 1D line");
+  app.add_option("--gamma", o.stability.gamma, "adiabatic index; 5/3 where it is not given")->type_name("GAMMA");
+  app.add_option("--out", o.out, "folder for maps over wave number and h, stability.png and stability.csv");
+  app.footer(
+      "Examples:\n  sphk stability --kernel hoct4 --neighbours 442\n"
+      "  sphk stability --kernel cs --neighbours 32 --lattice square --out maps");
 }
 
 void add_inspection(CLI::App& root, Options& o) {
@@ -177,6 +194,10 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
   if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
   if (name == "info") return plain([o] { return info_command(o->file); });
   if (name == "ic") return plain([o] { return ic_check_command(o->file); });
+  if (name == "stability") {
+    o->stability.out = path_of(o->out);
+    return plain([o] { return stability_command(o->stability); });
+  }
   o->plot.out = path_of(o->out);
   return plain([o] { return plot_command(o->plot); });
 }
@@ -192,6 +213,7 @@ Request parse_command_line(int argc, char** argv) {
   add_inspection(root, *options);
   add_plot(root, *options);
   add_rates(root, *options);
+  add_stability(root, *options);
   root.footer(
       "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
       "`sphk COMMAND --help` tells more about each command.");

@@ -35,6 +35,14 @@ struct RatesOptions {
   std::string alpha = "auto";  ///< auto | file | a number
 };
 
+struct StabilityOptions {
+  std::string kernel, lattice = "cubic";
+  double neighbours = 0;  ///< or
+  double h = 0;           ///< in spacings; 0: as the neighbour number has it
+  double gamma = 5.0 / 3;
+  std::optional<std::filesystem::path> out;  ///< folder of the maps
+};
+
 /// Every command returns its exit code and throws InputError, NumericsError or DeviceError.
 int run_command(const RunOptions& options);
 /// What a run would cost: particles, memory, steps, size of the output, time from a trial of three steps.
@@ -44,6 +52,8 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
 int plot_command(const PlotOptions& options);
 int info_command(const std::string& file);
 int rates_command(const RatesOptions& options);
+/// Linear waves of a kernel and neighbour number on a lattice (R10 sec 3).
+int stability_command(const StabilityOptions& options);
 int ic_check_command(const std::string& file);
 
 }  // namespace sphk

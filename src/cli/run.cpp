@@ -13,6 +13,7 @@
 #include "src/report/run_json.hpp"
 #include "src/report/text_file.hpp"
 #include "src/schemes/registry.hpp"
+#include "src/stability/verdict.hpp"
 
 namespace sphk {
 
@@ -44,6 +45,8 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.build = build();
   record.left_out = description.left_out;
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
+  const std::string remark = stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma);
+  if (!remark.empty()) record.warnings.push_back(remark);
   return record;
 }
 

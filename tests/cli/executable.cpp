@@ -46,6 +46,9 @@ TEST_F(Executable, BadInputEndsWithCode2AndTellsHowToMendIt) {
       {"", "--help"},
       {"info missing.hdf5", "missing.hdf5"},
       {"plot missing", "missing"},
+      {"stability --kernel css --neighbours 32", "no smoothing kernel \"css\""},
+      {"stability --kernel cs", "--neighbours"},
+      {"stability --kernel cs --neighbours 32 --lattice cubical", "cubic, bcc"},
       {"run uniform -n 8 --set scene.lattice=cubic --t-end 0", "--t-end"},
   };
   for (const auto& [arguments, hint] : wrong) {
@@ -54,6 +57,13 @@ TEST_F(Executable, BadInputEndsWithCode2AndTellsHowToMendIt) {
     EXPECT_NE(result.text.find(hint), std::string::npos) << arguments << "\n" << result.text;
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));  // nothing is left behind
+}
+
+/// CS with 42 neighbours does not hold a cubic lattice, HOCT4 with 96 does (R10 Table 1).
+TEST_F(Executable, ARunTellsOfAnUnstableKernelAndNeighbourNumber) {
+  const std::string run = "run uniform -n 10 --set scene.lattice=cubic --steps 1 --kernel ";
+  EXPECT_NE(sphk(run + "cs --neighbours 42 --out a").text.find("sphk stability --kernel cs"), std::string::npos);
+  EXPECT_EQ(sphk(run + "hoct4 --neighbours 96 --out b").text.find("sphk stability"), std::string::npos);
 }
 
 TEST_F(Executable, AFileThatIsNoHdf5IsBadInput) {

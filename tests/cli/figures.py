@@ -1,6 +1,8 @@
 """`sphk plot` gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
 
+import csv
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -79,6 +81,18 @@ class Figures(unittest.TestCase):
         for colour in ("#0072b2", "#d55e00"):
             self.assertGreater(share(pixels, colour), 1e-5, "a line a run")
         self.assertIn("--out FILE.png", self.sphk("plot", "run", "--conservation", code=2))
+
+    def test_stability_maps_have_stable_and_unstable_parts(self):
+        text = self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "square", "--out", "maps")
+        least = re.search(r"unstable: the least is (\S+);", text).group(1)
+        self.assertAlmostEqual(float(least), -4.2e-2, delta=1e-3)  # an independent computation's
+        self.assertGreater(colours(os.path.join(self.folder, "maps", "stability.png"))[1], 100)
+        with open(os.path.join(self.folder, "maps", "stability.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 2 * 64 * 48)
+        self.assertTrue(any(float(row["transverse"]) < -0.01 for row in rows))
+        self.assertIn("cubical", self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "cubical",
+                                           code=2))
 
     def test_without_exact_there_is_no_exact_line(self):
         self.sphk("plot", "run/snap_0000.hdf5", "--no-exact", "--out", "bare.png")

@@ -23,6 +23,7 @@ from density_map import draw_density_maps
 from history import draw_conservation, draw_history, errors_at, read_history
 from profiles import draw_profiles
 from snapshot import Snapshot
+from stability import draw_stability
 
 
 def has_map(item):
@@ -32,6 +33,9 @@ def has_map(item):
 
 def main():
     work = json.load(sys.stdin)
+    if work.get("stability"):
+        draw_stability(work)
+        return
     if work.get("conservation"):
         draw_conservation(work["conservation"], work["out"])
         return
