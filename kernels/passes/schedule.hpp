@@ -39,12 +39,10 @@ template <class L>
 struct AssignSteps {
   Particles<L> state;
   Ticks start;
-  double longest;       ///< as a time
-  bool at_most_double;  ///< no step is more than twice as long as the one before
+  double longest;  ///< as a time
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
     Ticks ticks = power_of_two_below(min(state.step_asked(i), longest) / state.clock.tick);
-    if (at_most_double) ticks = min(ticks, 2 * (state.clock.end(i) - state.clock.begin(i)));
     while (start % ticks != 0) ticks /= 2;
     state.clock.begin(i) = start;
     state.clock.end(i) = start + ticks;
@@ -180,8 +178,10 @@ void limit_steps(const Particles<L>& state, const Schedule& schedule, Ticks star
 
 template <class L>
 void assign_steps(const Particles<L>& state, const Schedule& schedule, Ticks start) {
+  double longest = schedule.longest;
+  if (schedule.starting && start > 0) longest = min(longest, static_cast<double>(start) * state.clock.tick);
   Kokkos::parallel_for("assign steps", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
-                       detail::AssignSteps<L>{state, start, schedule.longest, schedule.starting && start > 0});
+                       detail::AssignSteps<L>{state, start, longest});
   if (schedule.limiter) detail::limit_steps(state, schedule, start);
 }
 
