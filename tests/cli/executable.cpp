@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/report/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
-#include "tests/report/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

@@ -10,7 +10,7 @@
 #include "src/cli/stop_signal.hpp"
 #include "src/engine/errors.hpp"
 #include "src/schemes/registry.hpp"
-#include "tests/report/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

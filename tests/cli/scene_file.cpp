@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "src/engine/errors.hpp"
-#include "tests/report/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

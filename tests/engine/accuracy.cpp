@@ -105,7 +105,8 @@ TEST(Accuracy, sedov_shock_stands_where_it_must) {
 }
 
 /// The same with SPHS on steps of the particles' own. S12 lose 5 % with eq 7 and entropies; with the thermal energy in
-/// their place, or the momentum equation that belongs to entropies, the pairs conserve it, and 1 % is left to the steps.
+/// their place, or the momentum equation that belongs to entropies, the pairs conserve it, and 1 % is left to the
+/// steps.
 TEST(Accuracy, sedov_with_sphs_keeps_its_energy_on_unlike_steps) {
   const auto drift = [](const char* scheme, const char* energy) {
     return run_scene("sedov", {{"scene.n", "32"}, {"sph.scheme", scheme}, {"sph.energy", energy}}).energy_drift();

@@ -7,6 +7,7 @@
 
 #include "src/schemes/registry.hpp"
 #include "tests/engine/brute_force.hpp"
+#include "tests/engine/compare_fields.hpp"
 
 namespace sphk::test {
 namespace {
@@ -18,30 +19,6 @@ struct Case {
   double neighbours;
   bool periodic;
 };
-
-const Field& named(const std::vector<Field>& fields, const std::string& name) {
-  for (const Field& field : fields)
-    if (field.name == name) return field;
-  throw std::out_of_range("no field " + name);
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-void expect_near(const std::vector<double>& got, const std::vector<double>& wanted, double relative, const char* what) {
-  ASSERT_EQ(got.size(), wanted.size()) << what;
-  const double scale = largest(wanted);
-  for (std::size_t i = 0; i < got.size(); ++i) ASSERT_NEAR(got[i], wanted[i], relative * scale) << what << " of " << i;
-}
-
-std::vector<double> flat(const std::vector<Array3>& vectors) {
-  std::vector<double> out;
-  for (const Array3& v : vectors) out.insert(out.end(), v.begin(), v.end());
-  return out;
-}
 
 class RightHandSide : public testing::TestWithParam<Case> {
  protected:
@@ -64,14 +41,14 @@ TEST_P(RightHandSide, equals_the_explicit_sums) {
   const BruteForce wanted(gas, s);
   const auto got = make_simulation(gas, s)->rates(false);
   const double table = GetParam().kernel == "cs" ? 1 : 1e4;  // kernels off the curated list run through the table
-  expect_near(named(got, "SmoothingLength").values, wanted.h, 1e-12 * table, "h");
-  expect_near(named(got, "Density").values, wanted.rho, 1e-12 * table, "rho");
-  expect_near(named(got, "VelocityDivergence").values, wanted.div_v, 1e-11 * table, "div v");
-  expect_near(named(got, "VelocityCurl").values, flat(wanted.curl_v), 1e-11 * table, "curl v");
-  expect_near(named(got, "Acceleration").values, flat(wanted.a), 1e-11 * table, "a");
-  expect_near(named(got, "EntropyRate").values, wanted.entropy_rate, 1e-11 * table, "dA/dt");
-  expect_near(named(got, "E0").values, flat(wanted.E0), 1e-11 * table, "E0");
-  expect_near(named(got, "NeighbourCount").values, wanted.count, 0, "count");
+  expect_near(named(got, "SmoothingLength"), wanted.h, 1e-12 * table, "h");
+  expect_near(named(got, "Density"), wanted.rho, 1e-12 * table, "rho");
+  expect_near(named(got, "VelocityDivergence"), wanted.div_v, 1e-11 * table, "div v");
+  expect_near(named(got, "VelocityCurl"), flat(wanted.curl_v), 1e-11 * table, "curl v");
+  expect_near(named(got, "Acceleration"), flat(wanted.a), 1e-11 * table, "a");
+  expect_near(named(got, "EntropyRate"), wanted.entropy_rate, 1e-11 * table, "dA/dt");
+  expect_near(named(got, "E0"), flat(wanted.E0), 1e-11 * table, "E0");
+  expect_near(named(got, "NeighbourCount"), wanted.count, 0, "count");
 }
 
 /// Float pairs: 6e-8 per operation on terms of either sign; the sums hold some hundred of them.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "src/engine/errors.hpp"
-#include "tests/report/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

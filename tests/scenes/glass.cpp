@@ -7,7 +7,7 @@
 #include <complex>
 
 #include "src/engine/errors.hpp"
-#include "tests/scenes/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

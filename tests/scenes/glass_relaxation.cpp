@@ -7,7 +7,7 @@
 
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/scenes/glass.hpp"
-#include "tests/scenes/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 namespace {

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <cstdlib>
+#include <stdlib.h>
+
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace sphk {
 
-/// An empty folder that goes with the object.
+/// A new empty folder that goes with its object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -23,5 +26,11 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
 
 }  // namespace sphk
