@@ -96,23 +96,27 @@ int stability_command(const StabilityOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
+  if (options.h <= 0 && options.neighbours <= 0)
+    throw InputError(
+        "how wide is the kernel? Give a neighbour number (--neighbours 442) or a support radius in spacings (--h)");
   const double h = options.h > 0 ? options.h : lattice_support(options.neighbours, D);
   if (!(h > 1 && h < 20))
     throw InputError(
-        fmt::format("a support of {:.3g} spacings holds no neighbours, or far too many: give --neighbours "
-                    "or --h between 1 and 20 spacings",
-                    h));
+        fmt::format("a support radius of {:.3g} spacings: --h lies between 1 and 20 spacings, --neighbours "
+                    "between {:.0f} and {:.0f} on this lattice",
+                    h, std::ceil(lattice_neighbours(1, D)), lattice_neighbours(20, D)));
   fmt::print(
       "{} with {:.4g} neighbours, h = {:.4g} spacings, on a {} lattice; gamma {:.4g}\n"
-      "smallest omega^2/(k^2 c^2) for kappa up to pi over the spacing (R10 eq 40-43):\n\n"
-      "  {:<10} {:>13} {:>13} {:>13}\n",
-      options.kernel, lattice_neighbours(h, D), h, lattice.name, options.gamma, "direction", "longitudinal",
-      "transverse", D > 1 && lattice.basis.size() > 1 ? "relative" : "");
+      "smallest omega^2/(k^2 c^2) for kappa up to pi over the spacing (R10 eq 40-43):\n\n",
+      options.kernel, lattice_neighbours(h, D), h, lattice.name, options.gamma);
+  const bool relative = lattice.basis.size() > 1;
+  fmt::print("  {:<10} {:>13} {:>13}{}\n", "direction", "longitudinal", "transverse",
+             relative ? fmt::format(" {:>13}", "relative") : "");
   const Dispersion dispersion(lattice, options.kernel, h, options.gamma);
   for (const WaveDirection& direction : wave_directions(D)) {
     const WaveModes slowest = slowest_waves(dispersion, direction.k, 400);
-    fmt::print("  {:<10} {:>13} {:>13} {:>13}\n", direction.name, cell(slowest.longitudinal), cell(slowest.transverse),
-               lattice.basis.size() > 1 ? cell(slowest.relative) : "");
+    fmt::print("  {:<10} {:>13} {:>13}{}\n", direction.name, cell(slowest.longitudinal), cell(slowest.transverse),
+               relative ? fmt::format(" {:>13}", cell(slowest.relative)) : "");
   }
   const double least = least_waves(lattice, options.kernel, h, options.gamma, 400).least();
   fmt::print("\n{}: the least is {:+.2e}; below {:g} particles leave the lattice\nstable neighbour numbers: {}\n",
