@@ -12,6 +12,7 @@
 
 namespace sphk::test {
 
+/// The values stay those of `fields`, which has to outlive them.
 inline const std::vector<double>& named(const std::vector<Field>& fields, const std::string& name) {
   for (const Field& field : fields)
     if (field.name == name) return field.values;

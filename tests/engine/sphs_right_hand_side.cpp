@@ -159,8 +159,9 @@ TEST(SphsGradients, of_degenerate_neighbours_fall_back_and_are_counted) {
     SimulationSettings s;
     s.scheme = "sphs", s.kernel = "hoct4", s.neighbours = 40, s.precision = "double";
     const auto simulation = make_simulation(gas, s);
+    const auto rates = simulation->rates(false);
     for (const char* name : {"VelocityDivergence", "VelocityCurl", "Acceleration", "EntropyRate"})
-      for (const double value : named(simulation->rates(false), name)) ASSERT_TRUE(std::isfinite(value)) << name;
+      for (const double value : named(rates, name)) ASSERT_TRUE(std::isfinite(value)) << name;
     ASSERT_FALSE(simulation->warnings().empty());
     bool reported = false;
     for (const std::string& warning : simulation->warnings())
