@@ -65,8 +65,7 @@ struct TickRange {
 struct Schedule {
   double longest = 1e300;  ///< no step is longer
   bool limiter = true;     ///< neighbours stay within a factor 4
-  bool starting =
-      false;  ///< the first block of a limited run: all begin with one step, and no step is longer than the run
+  bool starting = false;   ///< the run's first block: all begin with one step, and none is longer than the run
   double updates_since_sort = 1e300;
   Kokkos::View<Ticks*, MemorySpace> caps, other;  ///< `other`: where the sort puts begins and ends
   Kokkos::View<TickRange*, MemorySpace> ranges;   ///< of every node of the tree

@@ -100,11 +100,11 @@ int stability_command(const StabilityOptions& options) {
     throw InputError(
         "how wide is the kernel? Give a neighbour number (--neighbours 442) or a support radius in spacings (--h)");
   const double h = options.h > 0 ? options.h : lattice_support(options.neighbours, D);
-  if (!(h > 1 && h < 20))
+  if (!(h > 1 && h < widest_support))
     throw InputError(
-        fmt::format("a support radius of {:.3g} spacings: --h lies between 1 and 20 spacings, --neighbours "
+        fmt::format("a support radius of {:.3g} spacings: --h lies between 1 and {:g} spacings, --neighbours "
                     "between {:.0f} and {:.0f} on this lattice",
-                    h, std::ceil(lattice_neighbours(1, D)), lattice_neighbours(20, D)));
+                    h, widest_support, std::ceil(lattice_neighbours(1, D)), lattice_neighbours(widest_support, D)));
   fmt::print(
       "{} with {:.4g} neighbours, h = {:.4g} spacings, on a {} lattice; gamma {:.4g}\n"
       "smallest omega^2/(k^2 c^2) for kappa up to pi over the spacing (R10 eq 40-43):\n\n",

@@ -72,6 +72,20 @@ const Lattice& find_lattice(const std::string& name) {
   throw InputError(fmt::format("there is no lattice \"{}\"; known are {}", name, fmt::join(names, ", ")));
 }
 
+double WaveModes::least() const {
+  return std::fmin(std::fmin(longitudinal, transverse), relative);
+}
+
+WaveModes slower(const WaveModes& a, const WaveModes& b) {
+  return {std::fmin(a.longitudinal, b.longitudinal), std::fmin(a.transverse, b.transverse),
+          std::fmin(a.relative, b.relative)};
+}
+
+WaveModes no_waves() {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  return {nothing, nothing, nothing};
+}
+
 Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double h, double gamma)
     : dimension_(lattice.dimension), sites_(static_cast<int>(lattice.basis.size())), gamma_(gamma), rho_(0) {
   const int D = dimension_, reach = static_cast<int>(std::ceil(2 * h)) + 2;
@@ -128,8 +142,8 @@ WaveModes Dispersion::at(const Array3& k) const {
   matrix += (gamma_ - 2) / rho_ * g * change;
 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> waves(matrix);
-  const double k2 = dot(k, k), nothing = std::numeric_limits<double>::quiet_NaN();
-  WaveModes modes{nothing, nothing, nothing};
+  const double k2 = dot(k, k);
+  WaveModes modes = no_waves();
   for (int n = 0; n < size; ++n) {  // eigenvalues rise
     double together = 0;
     Complex along = 0;
@@ -154,13 +168,10 @@ std::vector<WaveDirection> wave_directions(int dimension) {
 }
 
 WaveModes slowest_waves(const Dispersion& dispersion, const Array3& direction, int samples) {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  WaveModes slowest{nothing, nothing, nothing};
+  WaveModes slowest = no_waves();
   for (int n = 1; n <= samples; ++n) {
     const double kappa = std::numbers::pi * n / samples;
-    const WaveModes modes = dispersion.at({kappa * direction[0], kappa * direction[1], kappa * direction[2]});
-    slowest = {std::fmin(slowest.longitudinal, modes.longitudinal), std::fmin(slowest.transverse, modes.transverse),
-               std::fmin(slowest.relative, modes.relative)};
+    slowest = slower(slowest, dispersion.at({kappa * direction[0], kappa * direction[1], kappa * direction[2]}));
   }
   return slowest;
 }

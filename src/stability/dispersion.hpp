@@ -28,7 +28,13 @@ const Lattice& find_lattice(const std::string& name);
 /// negative where particles run away from the lattice. NaN where there is none.
 struct WaveModes {
   double longitudinal, transverse, relative;
+  /// The least of those that there are.
+  double least() const;
 };
+/// The slower ones of two sets of waves.
+WaveModes slower(const WaveModes& a, const WaveModes& b);
+/// No waves at all.
+WaveModes no_waves();
 
 /// Waves of SPH (R10 eq 10, constant A, h fixed) on a lattice at rest: R10 eq 40-43, for lattices of several particles
 /// a cell with their relative motion.

@@ -2,32 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-
 namespace sphk {
 
-double LeastWaves::least() const {
-  return std::fmin(std::fmin(longitudinal, transverse), relative);
-}
-
-LeastWaves least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples) {
+WaveModes least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples) {
   const Dispersion dispersion(lattice, kernel, h, gamma);
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  LeastWaves least{{nothing, nothing, nothing}};
-  for (const WaveDirection& direction : wave_directions(lattice.dimension)) {
-    const WaveModes slowest = slowest_waves(dispersion, direction.k, samples);
-    least.longitudinal = std::fmin(least.longitudinal, slowest.longitudinal);
-    least.transverse = std::fmin(least.transverse, slowest.transverse);
-    least.relative = std::fmin(least.relative, slowest.relative);
-  }
+  WaveModes least = no_waves();
+  for (const WaveDirection& direction : wave_directions(lattice.dimension))
+    least = slower(least, slowest_waves(dispersion, direction.k, samples));
   return least;
 }
 
 std::string stability_remark(const std::string& kernel, double neighbours, int dimension, double gamma) {
   const char* lattice = dimension == 1 ? "line" : dimension == 2 ? "square" : "cubic";
-  const LeastWaves least =
-      least_waves(find_lattice(lattice), kernel, lattice_support(neighbours, dimension), gamma, 64);
+  const double h = lattice_support(neighbours, dimension);
+  if (!(h < widest_support)) return "";
+  const WaveModes least = least_waves(find_lattice(lattice), kernel, h, gamma, 64);
   if (least.least() >= unstable_below) return "";
   const bool clumps = least.longitudinal < unstable_below;
   return fmt::format(

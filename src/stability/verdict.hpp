@@ -8,12 +8,11 @@ namespace sphk {
 /// a few times -1e-4 at the shortest waves; kernels that clump are below -2e-3.
 inline constexpr double unstable_below = -1e-3;
 
+/// Supports, in spacings, beyond which no lattice is looked at.
+inline constexpr double widest_support = 20;
+
 /// The slowest waves over R10's directions.
-struct LeastWaves : WaveModes {
-  /// The least of those that there are.
-  double least() const;
-};
-LeastWaves least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples);
+WaveModes least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples);
 
 /// A sentence where particles of this kernel and neighbour number leave a cubic (in 2D square) lattice, else nothing.
 std::string stability_remark(const std::string& kernel, double neighbours, int dimension, double gamma);

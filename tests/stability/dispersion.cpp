@@ -8,6 +8,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/schemes/registry.hpp"
+#include "src/stability/verdict.hpp"
 
 namespace sphk::test {
 namespace {
@@ -27,24 +28,13 @@ struct Case {
 
 class Minima : public testing::TestWithParam<Case> {};
 
-WaveModes least_of_all(const Lattice& lattice, const std::string& kernel, double h) {
-  const Dispersion dispersion(lattice, kernel, h, gamma_gas);
-  WaveModes least{1e300, 1e300, 1e300};
-  for (const WaveDirection& direction : wave_directions(lattice.dimension)) {
-    const WaveModes slowest = slowest_waves(dispersion, direction.k, 400);
-    least.longitudinal = std::min(least.longitudinal, slowest.longitudinal);
-    least.transverse = std::min(least.transverse, slowest.transverse);
-  }
-  return least;
-}
-
 /// Minima of omega^2/(k^2 c^2) for kappa up to pi by an independent computation, to the digits that are given, of which
 /// some were cut and not rounded; h, too, has two digits after the point.
 TEST_P(Minima, are_those_of_the_table) {
   const auto& [name, kernel, h, longitudinal, transverse] = GetParam();
   const Lattice& lattice = find_lattice(name);
-  const WaveModes least = least_of_all(lattice, kernel, h), below = least_of_all(lattice, kernel, h - 0.005),
-                  above = least_of_all(lattice, kernel, h + 0.005);
+  const auto least_at = [&](double support) { return least_waves(lattice, kernel, support, gamma_gas, 400); };
+  const WaveModes least = least_at(h), below = least_at(h - 0.005), above = least_at(h + 0.005);
   EXPECT_NEAR(least.longitudinal, longitudinal.value,
               longitudinal.unit + 0.5 * std::abs(above.longitudinal - below.longitudinal));
   EXPECT_NEAR(least.transverse, transverse.value,
