@@ -322,12 +322,133 @@ struct NeighbourCount {
   };
 };
 
-/// E0_i = 2 sum_j (m_j/rho_j) h_i grad Wbar: the zeroth-order force error (S12 eq 13).
+/// The density of the generalised continuity equation, rho_i = sum_j m_j (eta_i/eta_j) W (R10 eq 19): what the
+/// equations of motion use where a scheme has it. Observers use Density (R10 sec 3.5).
+struct GeneralDensity {
+  static constexpr const char* name = "GeneralDensities";
+  template <class T, int D>
+  struct Value {
+    T rho_eta;
+  };
+};
+
+/// d(rho/eta)/dh of it.
+struct GeneralDensitySlope {
+  static constexpr const char* name = "GeneralDensitySlopes";
+  template <class T, int D>
+  struct Value {
+    T slope_eta;
+  };
+};
+
+/// 1/eta, 1/phi and 1/zeta: the free functions of R10 eq 16-19.
+struct InverseEta {
+  static constexpr const char* name = "InverseEta";
+  template <class T, int D>
+  struct Value {
+    T eta_inv;
+  };
+};
+struct InversePhi {
+  static constexpr const char* name = "InversePhi";
+  template <class T, int D>
+  struct Value {
+    T phi_inv;
+  };
+};
+struct InverseZeta {
+  static constexpr const char* name = "InverseZeta";
+  template <class T, int D>
+  struct Value {
+    T zeta_inv;
+  };
+};
+
+/// P phi^2 / rho^2.
+struct PhiPressure {
+  static constexpr const char* name = "PhiPressures";
+  template <class T, int D>
+  struct Value {
+    T P_phi2;
+  };
+};
+
+/// P zeta / rho^2.
+struct ZetaPressure {
+  static constexpr const char* name = "ZetaPressures";
+  template <class T, int D>
+  struct Value {
+    T P_zeta;
+  };
+};
+
+/// sum_j m_j A_j rho_j^(gamma-1) Wbar (V10 eq 7).
+struct SmoothedPressure {
+  static constexpr const char* name = "SmoothedPressures";
+  template <class T, int D>
+  struct Value {
+    T P_smooth;
+  };
+};
+
+/// Entropy function A = P / rho^gamma.
+struct Entropy {
+  static constexpr const char* name = "Entropies";
+  template <class T, int D>
+  struct Value {
+    T A;
+  };
+};
+
+/// Components of a symmetric matrix.
+template <int D>
+inline constexpr int symmetric_size = D*(D + 1) / 2;
+
+/// E0_i, the zeroth-order error of the momentum equation: dv_i/dt = - P E0_i / (h_i rho_i) where P is even (R10 eq 28).
 struct ErrorE0 {
   static constexpr const char* name = "E0";
   template <class T, int D>
   struct Value {
     Vec<T, D> E0;
+  };
+};
+
+/// R_i, the error matrix of the continuity equation, 1 where it is exact to first order (R10 eq 29): xx, yy, zz, xy,
+/// xz, yz, those that there are.
+struct ErrorR {
+  static constexpr const char* name = "R";
+  template <class T, int D>
+  struct Value {
+    Vec<T, symmetric_size<D>> R;
+  };
+};
+
+/// V_i, that of the momentum equation's pressure gradient, in the same order.
+struct ErrorV {
+  static constexpr const char* name = "V";
+  template <class T, int D>
+  struct Value {
+    Vec<T, symmetric_size<D>> V;
+  };
+};
+
+/// max |ln(A_i/A_j)| over neighbours with r < h_i: large where fluids meet.
+struct EntropyContrast {
+  static constexpr const char* name = "EntropyContrast";
+  static constexpr bool is_maximum = true;
+  template <class T, int D>
+  struct Value {
+    T contrast;
+  };
+};
+
+/// 1/r of the nearest neighbour apart from coincident ones; 0 where there is none within h_i.
+struct InverseNearest {
+  static constexpr const char* name = "InverseNearest";
+  static constexpr bool is_maximum = true;
+  template <class T, int D>
+  struct Value {
+    T nearest_inv;
   };
 };
 

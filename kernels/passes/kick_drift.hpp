@@ -27,7 +27,7 @@ struct KickAndDrift {
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     const double dt = state.clock.dt;
     if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i));
-    for (int d = 0; d < D; ++d) {
+    for (int d = 0; d < D && state.parameters.motion; ++d) {
       state.template at<Position>(i, d) += dt * state.template at<HalfStepVelocity>(i, d);
       state.template at<Velocity>(i, d) += dt * state.template at<Acceleration>(i, d);
     }
@@ -69,6 +69,7 @@ struct KickAndDrift {
     const double thinner = small_exp(-expansion);  // rho' / rho
     const double P = L::ThermalForm::pressure_growth(-expansion, thinner, state.parameters.gamma) * heated;
     scale<Density>(i, thinner);
+    scale<GeneralDensity>(i, thinner);
     scale<InverseDensity>(i, 1 / thinner);
     scale<Pressure>(i, P);
     scale<PressureOverDensity2>(i, P / (thinner * thinner));
@@ -90,12 +91,13 @@ struct ClosingKick {
     double sum = 0;  // not finite where anything of the particle is not
     for (int d = 0; d < D; ++d) {
       double& v = state.template at<Velocity>(i, d);
-      v = state.template at<HalfStepVelocity>(i, d) + half * state.template at<Acceleration>(i, d);
-      sum += v;
+      const double kicked = state.template at<HalfStepVelocity>(i, d) + half * state.template at<Acceleration>(i, d);
+      v = state.parameters.motion ? kicked : v;
+      sum += kicked;
     }
     if constexpr (contains<Heating, Fields>) {
       const double ds =
-          L::ThermalForm::rate(state.template at<Heating>(i), state.template at<Density>(i), state.parameters.gamma);
+          L::ThermalForm::rate(state.template at<Heating>(i), state.state_density(i), state.parameters.gamma);
       state.template at<ThermalRate>(i) = ds;
       state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * ds);
     }

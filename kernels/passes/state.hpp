@@ -74,18 +74,24 @@ struct Particles {
   Parameters parameters;
   ActiveSet active{};
   StepClock clock{};
+  /// Row of the density that the equation of state and the forces take: that of a scheme's generalised continuity
+  /// equation, where it has one.
+  int state_density_row = component_offset<L::dimension, Density, typename L::Fields>;
 
   /// The same particles for code that knows more or fewer fields at the end of the columns, where their rows are.
   template <class Other>
   Particles<Other> as() const {
     static_assert(starts_with<typename L::Fields, typename Other::Fields> ||
                   starts_with<typename Other::Fields, typename L::Fields>);
-    return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock};
+    return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock, state_density_row};
   }
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double& at(int i, int component = 0) const {
     return columns.template at<F>(i, component);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION double state_density(int i) const {
+    return columns.data(static_cast<std::size_t>(state_density_row) * columns.stride + i);
   }
   /// dt = C h_i / v_max,i (S12 eq 43).
   KOKKOS_INLINE_FUNCTION double step_asked(int i) const {

@@ -58,7 +58,7 @@ struct EvaluateState {
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
     using Fields = typename L::Fields;
-    const double rho = state.template at<Density>(i), h = state.template at<Support>(i);
+    const double rho = state.state_density(i), h = state.template at<Support>(i);
     const double gamma = state.parameters.gamma;
     const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
     const double c = Kokkos::sqrt(gamma * P / rho);
@@ -68,20 +68,28 @@ struct EvaluateState {
     set<SoundSpeed>(i, c);
     if constexpr (contains<Balsara, Fields>) {
       const auto curl = state.columns.template load<List<VelocityCurl>>(i).curl_v;
-      set<Balsara>(i, balsara_factor(state.template at<VelocityDivergence>(i), length(curl), c, h));
+      const double factor = balsara_factor(state.template at<VelocityDivergence>(i), length(curl), c, h);
+      set<Balsara>(i, state.parameters.balsara ? factor : 1);
     }
   }
 };
+
+/// z = -(h/(D n)) dq/dh / Omega, Omega = 1 + (h/(D n)) dn/dh: what the gradient of h adds to the masses in the gradient
+/// of a sum q whose slope in h is given (EQUATIONS, Momentum).
+template <class L>
+KOKKOS_INLINE_FUNCTION double grad_h_mass(const Particles<L>& state, int i, double slope) {
+  const double h_Dn = state.template at<Support>(i) / (L::dimension * state.template at<NumberDensity>(i));
+  const double Omega = 1 + h_Dn * state.template at<NumberDensitySlope>(i);
+  // Omega vanishes where the support holds coincident particles alone: h is free there, and has no gradient.
+  return Omega > 1e-8 ? -h_Dn * slope / Omega : 0;
+}
 
 template <class L>
 struct EvaluateGradH {
   Particles<L> state;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
-    const double h_Dn = state.template at<Support>(i) / (L::dimension * state.template at<NumberDensity>(i));
-    const double Omega = 1 + h_Dn * state.template at<NumberDensitySlope>(i);
-    // Omega vanishes where the support holds coincident particles alone: h is free there, and has no gradient.
-    state.template at<GradHMass>(i) = Omega > 1e-8 ? -h_Dn * state.template at<DensitySlope>(i) / Omega : 0;
+    state.template at<GradHMass>(i) = grad_h_mass(state, i, state.template at<DensitySlope>(i));
   }
 };
 

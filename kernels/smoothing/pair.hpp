@@ -69,7 +69,8 @@ struct SymmetricPair {
   P q_min;             ///< r / max(h_i, h_j): the pair takes part where it is below 1
   Vec<P, D> grad_W_i;  ///< grad_i W(r, h_i)
   Vec<P, D> grad_W_j;  ///< grad_i W(r, h_j)
-  Vec<P, D> grad_W;    ///< their mean, grad_i Wbar
+  P W;                 ///< Wbar = (W(r, h_i) + W(r, h_j)) / 2
+  Vec<P, D> grad_W;    ///< grad_i Wbar
   P dW;                ///< e_ij . grad_i Wbar: dWbar/dr, zero for coincident particles
 };
 
@@ -85,8 +86,11 @@ KOKKOS_FORCEINLINE_FUNCTION SymmetricPair<P, D> symmetric_pair(const Smoothing<K
   ij.q = ij.r * i.h_inv;
   ij.q_min = ij.r * sphk::min(i.h_inv, j.h_inv);
   const P norm = P(T(smoothing.norm));
-  const P dW_i = norm * i.h_inv * power_of_dimension<D>(i.h_inv) * smoothing.kernel(ij.q).dw * ij.r_inv;
-  const P dW_j = norm * j.h_inv * power_of_dimension<D>(j.h_inv) * smoothing.kernel(ij.r * j.h_inv).dw * ij.r_inv;
+  const P scale_i = norm * power_of_dimension<D>(i.h_inv), scale_j = norm * power_of_dimension<D>(j.h_inv);
+  const Shape<P> shape_i = smoothing.kernel(ij.q), shape_j = smoothing.kernel(ij.r * j.h_inv);
+  ij.W = P(T(0.5)) * (scale_i * shape_i.w + scale_j * shape_j.w);
+  const P dW_i = scale_i * i.h_inv * shape_i.dw * ij.r_inv;
+  const P dW_j = scale_j * j.h_inv * shape_j.dw * ij.r_inv;
   ij.grad_W_i = dW_i * ij.r_ij;
   ij.grad_W_j = dW_j * ij.r_ij;
   const P dW_r = P(T(0.5)) * (dW_i + dW_j);

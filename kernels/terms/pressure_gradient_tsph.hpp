@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/smoothing/pair.hpp"
+#include "kernels/terms/free_functions.hpp"
 #include "kernels/terms/term_set.hpp"
 
 namespace sphk {
@@ -9,6 +10,7 @@ namespace sphk {
 /// its E0 error subtracted, P_j - P_i in place of P_i + P_j (Morris 1996; S12 eq 18, suffix e), which does not conserve
 /// the momentum of pairs.
 struct PressureGradientTsph {
+  using Phi = DensityItself;
   static constexpr const char* label = "Pressure";
   static constexpr const char* name = "pressure gradient, (P_j + P_i)/(rho_i rho_j), or P_j - P_i (S12 eq 7, 18)";
   using Reads = List<Position, InverseSupport, Mass, Pressure, InverseDensity>;

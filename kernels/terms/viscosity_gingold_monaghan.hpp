@@ -22,9 +22,9 @@ KOKKOS_FORCEINLINE_FUNCTION auto approach_mu(const auto& i, const auto& j, const
 struct ViscosityGingoldMonaghan {
   static constexpr const char* label = "Viscosity";
   static constexpr const char* name = "viscosity, Gingold & Monaghan 1983 with the Balsara switch (R10)";
-  using Reads = List<Position, InverseSupport, Mass, Velocity, Density, SoundSpeed, Balsara, Support>;
+  using Reads = List<Position, InverseSupport, Mass, Velocity, InverseDensity, SoundSpeed, Balsara, Support>;
   using Adds = List<Acceleration, Heating>;
-  static constexpr int flops = 38;
+  static constexpr int flops = 40;
   double alpha, beta;
   explicit ViscosityGingoldMonaghan(const Parameters& p) : alpha(p.alpha), beta(p.beta) {}
 
@@ -32,8 +32,10 @@ struct ViscosityGingoldMonaghan {
     using P = std::remove_cvref_t<decltype(i.m)>;
     using T = lane_t<P>;
     const P mu = detail::approach_mu(i, j, ij);
-    // The halves of cbar, rho_ij and the mean Balsara factor: (1/2 . 1/2) / (1/2) and 1/2 / (1/2).
-    const P Pi = mu * (P(T(beta)) * mu - P(T(0.5 * alpha)) * (i.c + j.c)) * (i.balsara + j.balsara) / (i.rho + j.rho);
+    // 1 / (rho_i + rho_j), and the halves of cbar, rho_ij and the mean Balsara factor: (1/2 . 1/2) / (1/2), 1/2 /
+    // (1/2).
+    const P rho_sum_inv = i.rho_inv * j.rho_inv / (i.rho_inv + j.rho_inv);
+    const P Pi = mu * (P(T(beta)) * mu - P(T(0.5 * alpha)) * (i.c + j.c)) * (i.balsara + j.balsara) * rho_sum_inv;
     detail::add_viscous_pair(sum, i, j, ij, Pi);
   }
 };

@@ -2,7 +2,6 @@
 
 #include "kernels/terms/apart.hpp"
 #include "kernels/terms/neighbour_count.hpp"
-#include "kernels/terms/zeroth_order_error.hpp"
 #include "src/engine/host_columns.hpp"
 #include "src/engine/output.hpp"
 
@@ -46,7 +45,7 @@ void append_apart(std::vector<Field>& fields, const HostColumns<L>& host, const 
 
 /// The terms of a scheme, each adding to fields of its own, with the diagnostics of `sphk rates`.
 template <class... Term>
-auto apart_terms(List<Term...>) -> TermSet<Apart<Term>..., NeighbourCountSum, ZerothOrderError>;
+auto apart_terms(List<Term...>) -> TermSet<Apart<Term>..., NeighbourCountSum>;
 
 }  // namespace detail
 
@@ -72,7 +71,7 @@ std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool sp
   fields.push_back(host.template field<Acceleration>("Acceleration", "dv/dt of all terms", {1, 0, -2}));
   const UnitExponents entropy_rate{2 + D * (gamma - 1), 1 - gamma, -3};
   fields.push_back(host.scalar("EntropyRate", "dA/dt of all terms", entropy_rate, [&](int i) {
-    const double rho = host.template at<Density>(i);
+    const double rho = host.HostRows::at(i, state.state_density_row);
     const double work =
         -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
     return Form::entropy_rate(host.template at<ThermalRate>(i), work, rho, gamma);
@@ -86,11 +85,12 @@ std::vector<Field> rate_fields(const Particles<L>& state, const C& sums, bool sp
                                  std::sqrt(grad2), state.parameters.noise * host.template at<SoundSpeed>(i));
     }));
   }
+  if constexpr (contains<GeneralDensity, Fields>)
+    fields.push_back(host.template field<GeneralDensity>("GeneralDensity", "Density of R10 eq 19", {-D, 1, 0}));
   if constexpr (contains<MassRate, Fields>)
     fields.push_back(host.template field<MassRate>("MassRate", "dm/dt by mass dissipation", {0, 1, -1}));
   fields.push_back(detail::apart_field<NeighbourCount>(host, sums, "NeighbourCount",
                                                        "Neighbours with r < h, self included", {}, false));
-  fields.push_back(detail::apart_field<ErrorE0>(host, sums, "E0", "Zeroth-order force error (S12 eq 13)", {}, true));
   if (split) for_each_type(Terms{}, [&]<class T>() { detail::append_apart<T>(fields, host, sums); });
   return fields;
 }

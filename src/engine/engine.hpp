@@ -90,6 +90,8 @@ class Engine final : public Simulation {
     return passes_->rates(run_.state, split);
   }
 
+  std::vector<Field> errors() const override { return passes_->errors(run_.state); }
+
   std::vector<std::string> warnings() const override { return warnings_of(searches_, fits_); }
 
  private:

@@ -99,6 +99,7 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   const Numbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
   Run<L> run(
       Particles<L>{n, Columns(rows, stride), Ids("ids", n), CellTree<D>(n, domain), parameters_of(given, settings)});
+  run.state.state_density_row = facts.state_density_row;
   detail::copy_to_columns(run.state, given, facts.alpha_row);
   run.time = given.time;
   run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell

@@ -40,6 +40,10 @@ Parameters parameters_of(const ParticleSet& particles, const SimulationSettings&
           .alpha_given = settings.alpha_given,
           .balsara_limits_all = settings.balsara_limits_all,
           .mass_correction = settings.mass_correction,
+          .alpha_conductivity = settings.alpha_conductivity,
+          .signed_conductivity = settings.conductivity != "price",
+          .balsara = settings.balsara,
+          .motion = settings.motion,
           .h_max = support_cap(particles, settings)};
 }
 

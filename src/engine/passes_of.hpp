@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/engine/diagnostics.hpp"
+#include "src/engine/error_fields.hpp"
 #include "src/engine/scheme.hpp"
 #include "src/engine/scheme_interface.hpp"
 
@@ -26,6 +27,11 @@ SchemeFacts facts_of() {
   show(VelocityDivergence{}, "VelocityDivergence", "div v", {0, 0, -1});
   show(Alpha{}, "Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {});
   show(Balsara{}, "BalsaraFactors", "Balsara factor", {});
+  facts.state_density_row = component_offset<L::dimension, Density, typename L::Fields>;
+  if constexpr (FreeFunctionsOf<S>::general_density) {
+    facts.state_density_row = component_offset<L::dimension, GeneralDensity, typename L::Fields>;
+    show(GeneralDensity{}, "GeneralDensities", "Density of the equations of motion (R10 eq 19)", {-L::dimension, 1, 0});
+  }
   if constexpr (contains<Alpha, typename L::Fields>)
     facts.alpha_row = component_offset<L::dimension, Alpha, typename L::Fields>;
   return facts;
@@ -49,10 +55,17 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
   std::vector<Field> rates(const Particles<BaseLayout<L>>& particles, bool split) const override {
     if constexpr (std::is_same_v<typename S::PairNumber, double>) {
       const State<S> state{particles.template as<L>(), smoothing_};
-      return rate_fields<typename S::RateTerms::List>(state.template as<L>(), sums_of_rates(state), split);
+      std::vector<Field> fields =
+          rate_fields<typename S::RateTerms::List>(state.template as<L>(), sums_of_rates(state), split);
+      for (Field& field : errors(particles)) fields.push_back(std::move(field));
+      return fields;
     } else {
       throw std::logic_error("rates are computed in double: make the simulation with precision \"double\"");
     }
+  }
+
+  std::vector<Field> errors(const Particles<BaseLayout<L>>& particles) const override {
+    return error_fields<S>(particles.template as<L>(), smoothing_);
   }
 
  private:

@@ -23,6 +23,7 @@ struct SchemeFacts {
   bool mixed = false;
   int rows = 0;                     ///< of the columns
   int alpha_row = -1;               ///< of the switch, which initial conditions may set; -1: there is none
+  int state_density_row = 0;        ///< of the columns: the density of the equations of motion
   int support_pass = 0;             ///< the place of the search for support radii in a step
   std::vector<const char*> passes;  ///< names, in the order of a step
   std::vector<ShownColumn> shown;
@@ -39,6 +40,8 @@ class SchemePasses {
   virtual void run(int pass, Run<L>& run) const = 0;
   /// One right-hand side, as `sphk rates` writes it; the passes have just been run. In double alone.
   virtual std::vector<Field> rates(const Particles<L>& particles, bool split) const = 0;
+  /// What Simulation::errors gives.
+  virtual std::vector<Field> errors(const Particles<L>& particles) const = 0;
 };
 
 /// Particles on the device, sorted, with supports, densities and the thermal variable; `find_supports` runs the pass

@@ -23,10 +23,14 @@ struct SimulationSettings {
   double viscosity_beta = 2;
   double alpha_entropy = 1, alpha_mass = 1;
   MassCorrection mass_correction = MassCorrection::donor;
+  double alpha_conductivity = 1;      ///< V10's alpha_u (scheme v10); 0: no conductivity
+  std::string conductivity = "price"; ///< its signal velocity: price | v1 | v2
+  bool balsara = true;                ///< Balsara's factor limits the viscosity of the classic schemes
   double alpha_given = -1;  ///< of all particles; negative: the switch decides
   double alpha_min = 0.2;
   double switch_noise = 0.05;
   bool balsara_limits_all = true;
+  bool motion = true;  ///< particles move; else only heat and mass pass between them
   bool individual_steps = false;
   bool step_limiter = true;  ///< steps of neighbours stay within a factor 4
   double h_max = 0;          ///< cap of the support radius; 0: none but the box
@@ -75,8 +79,12 @@ class Simulation {
   /// Everything to the host, sorted by id.
   virtual Snapshot snapshot() const = 0;
   /// One right-hand side at the current state, as `sphk rates` writes it: SmoothingLength, Density, VelocityDivergence,
-  /// VelocityCurl, Acceleration, EntropyRate, NeighbourCount, E0, ...; with `split` each term apart as well.
+  /// VelocityCurl, Acceleration, EntropyRate, NeighbourCount, the fields of errors(), ...; with `split` each term apart
+  /// as well.
   virtual std::vector<Field> rates(bool split) = 0;
+  /// Leading errors of the scheme's equations at the current state, by id: E0 (3), R and V (xx, yy, zz, xy, xz, yz; R10
+  /// eq 28-30), EntropyContrast (largest |ln(A_i/A_j)| over neighbours) and NearestNeighbour (distance).
+  virtual std::vector<Field> errors() const = 0;
   /// Sentences the user should read once, such as particles whose neighbour number could not be met.
   virtual std::vector<std::string> warnings() const = 0;
 };

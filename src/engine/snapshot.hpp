@@ -12,8 +12,9 @@ Snapshot take_snapshot(const Particles<L>& particles, const SchemeFacts& facts, 
   constexpr int D = L::dimension;
   const HostColumns<L> host(particles);
   const double gamma = particles.parameters.gamma;
+  const auto state_density = [&](int i) { return host.HostRows::at(i, particles.state_density_row); };
   const auto pressure = [&](int i) {
-    return L::ThermalForm::pressure(host.template at<Thermal>(i), host.template at<Density>(i), gamma);
+    return L::ThermalForm::pressure(host.template at<Thermal>(i), state_density(i), gamma);
   };
   const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
   Snapshot snapshot{
@@ -29,12 +30,12 @@ Snapshot take_snapshot(const Particles<L>& particles, const SchemeFacts& facts, 
   fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
   fields.push_back(host.template field<Density>("Densities", "Density, sum of m_j W(r_ij, h_i)", density));
   fields.push_back(host.scalar("InternalEnergies", "Specific thermal energy", energy,
-                               [&](int i) { return pressure(i) / ((gamma - 1) * host.template at<Density>(i)); }));
+                               [&](int i) { return pressure(i) / ((gamma - 1) * state_density(i)); }));
   fields.push_back(host.scalar("Pressures", "Pressure", {2.0 - D, 1, -2}, pressure));
   fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
   const UnitExponents entropy{2 + D * (gamma - 1), 1 - gamma, -2};
   fields.push_back(host.scalar("Entropies", "Entropy function A = P / rho^gamma", entropy,
-                               [&](int i) { return pressure(i) / std::pow(host.template at<Density>(i), gamma); }));
+                               [&](int i) { return pressure(i) / std::pow(state_density(i), gamma); }));
   for (const ShownColumn& column : facts.shown)
     fields.push_back(host.HostRows::field(column.name, column.description, column.units, 1, column.row, 1, 0));
   return snapshot;

@@ -32,7 +32,7 @@ struct SumTotals {
   Particles<L> state;
   KOKKOS_INLINE_FUNCTION void operator()(int i, TotalsSum& sum) const {
     constexpr int D = L::dimension;
-    const double gamma = state.parameters.gamma, m = state.template at<Mass>(i), rho = state.template at<Density>(i);
+    const double gamma = state.parameters.gamma, m = state.template at<Mass>(i), rho = state.state_density(i);
     const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
     double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
     for (int d = 0; d < D; ++d) x[d] = state.template at<Position>(i, d), v[d] = state.template at<Velocity>(i, d);

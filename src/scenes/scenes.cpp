@@ -11,7 +11,7 @@ namespace sphk {
 const std::vector<const Scene*>& scenes() {
   static const std::vector<const Scene*> table{
       &sod_scene(),  &sod_multimass_scene(), &gresho_scene(),  &sedov_scene(), &point_explosion_scene(), &noh_scene(),
-      &kh12_scene(), &kh18_scene(),          &mcnally_scene(), &blob_scene(),  &uniform_scene()};
+      &kh12_scene(), &kh18_scene(),          &mcnally_scene(), &shearing_scene(), &blob_scene(),  &uniform_scene()};
   return table;
 }
 

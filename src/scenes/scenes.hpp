@@ -13,6 +13,7 @@ const Scene& noh_scene();
 const Scene& kh12_scene();
 const Scene& kh18_scene();
 const Scene& mcnally_scene();
+const Scene& shearing_scene();
 const Scene& blob_scene();
 const Scene& uniform_scene();
 

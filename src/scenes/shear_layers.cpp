@@ -4,6 +4,7 @@
 
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mass_profile.hpp"
+#include "src/scenes/relaxation.hpp"
 #include "src/scenes/temperatures.hpp"
 
 namespace sphk {
@@ -25,17 +26,6 @@ std::string arrangement(const Settings& settings) {
   return settings.has("scene.lattice") ? settings.text("scene.lattice") : "cubic";
 }
 
-void place_equal_masses(ParticleSet& gas, const std::vector<Block>& blocks, const LayeredFlow& flow,
-                        const Settings& settings) {
-  const MassProfile profile(flow.rho, flow.lower, 1);
-  for (const Block& block : blocks)
-    for (Array3 x : arranged_points(block, arrangement(settings))) {
-      x[1] = profile.place(x[1]);
-      gas.x.push_back(x);
-    }
-  gas.m.assign(gas.size(), profile.mass() * gas.box.size[2] / double(gas.size()));
-}
-
 void place_even(ParticleSet& gas, const Block& even, const LayeredFlow& flow, const Settings& settings) {
   gas.x = arranged_points(even, arrangement(settings));
   for (const Array3& x : gas.x) gas.m.push_back(flow.rho(x[1]) * even.size[2] / double(gas.size()));
@@ -55,6 +45,7 @@ void ShearLayers::declare(Settings& settings) const {
                     .max = 100000});
   declare_masses(settings, "equal");
   declare_temperatures(settings);
+  declare_relaxation(settings);
   settings.declare(
       {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
@@ -75,16 +66,21 @@ ParticleSet ShearLayers::build(const Settings& settings) const {
   gas.dimension = even.dimension;
   gas.box = {even.lower, even.size, {true, true, even.dimension == 3}};
   if (has_equal_masses(settings))
-    place_equal_masses(gas, equal_mass_blocks(even), flow, settings);
+    place_equal_masses(gas, flow, settings);
   else
     place_even(gas, even, flow, settings);
   const double gamma = settings.real("sph.gamma"), boost = settings.real("scene.boost");
+  const auto set_velocities = [&] {
+    gas.v.clear();
+    for (const auto& [x, y, z] : gas.x) gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
+  };
+  set_velocities();
   for (const auto& [x, y, z] : gas.x) {
-    gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
     gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
     gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
   }
   smooth_temperatures(gas, flow.pressure, settings);
+  if (relax(gas, settings)) set_velocities();
   return gas;
 }
 
@@ -102,6 +98,16 @@ std::vector<std::pair<std::string, double>> ShearLayers::measures(const Settings
 PlotHint ShearLayers::plot_hint(const Settings& settings) const {
   const double lower = flow(settings).lower;
   return {.abscissa = "y", .from = lower, .to = lower + 1, .map = true};
+}
+
+void ShearLayers::place_equal_masses(ParticleSet& gas, const LayeredFlow& flow, const Settings& settings) const {
+  const MassProfile profile(flow.rho, flow.lower, 1);
+  for (const Block& block : equal_mass_blocks(even_block(settings, flow.lower)))
+    for (Array3 x : arranged_points(block, arrangement(settings))) {
+      x[1] = profile.place(x[1]);
+      gas.x.push_back(x);
+    }
+  gas.m.assign(gas.size(), profile.mass() * gas.box.size[2] / double(gas.size()));
 }
 
 std::vector<Block> ShearLayers::equal_mass_blocks(const Block& even) const {

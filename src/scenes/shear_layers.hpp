@@ -40,6 +40,8 @@ class ShearLayers : public Scene {
   };
   virtual Defaults defaults() const = 0;
   virtual LayeredFlow flow(const Settings& settings) const = 0;
+  /// Positions and masses for scene.masses = "equal": by default the blocks below, along the density.
+  virtual void place_equal_masses(ParticleSet& gas, const LayeredFlow& flow, const Settings& settings) const;
   /// The blocks of scene.masses = "equal", with the fraction of the mass below in place of y; `even` fills the box.
   virtual std::vector<Block> equal_mass_blocks(const Block& even) const;
 };

@@ -29,6 +29,9 @@ using Instantiations = std::vector<Instantiation>;
 Instantiations sph_entropy_1d(), sph_entropy_2d(), sph_entropy_3d();
 Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
 Instantiations tsph_1d(), tsph_2d(), tsph_3d();
+Instantiations tsph_energy();
+Instantiations osph_1d(), osph_2d(), osph_3d(), osph_energy(), osph_coherent();
+Instantiations v10_1d(), v10_2d(), v10_3d();
 
 Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
 Instantiations sphs_1d(), sphs_2d(), sphs_3d();

@@ -7,7 +7,7 @@ namespace sphk {
 
 std::optional<KeyValues> keys_of_label(const std::string& text) {
   static const std::regex label(
-      "(SPH|TSPH|SPHS)-(CS|CT|HCT|HOCT[3458]|LIQ|M[56]|WC[246])(-?)([0-9]+)(e?)(-?multi)?(-?g)?");
+      "(SPH|TSPH|OSPH|SPHS)-(CS|CT|HCT|HOCT[3458]|LIQ|M[56]|WC[246])(-?)([0-9]+)(e?)(-?multi)?(-?g)?");
   std::smatch part;
   if (!std::regex_match(text, part, label)) return std::nullopt;
   const bool r10 = part[3].length() > 0, morris = part[5].length() > 0;

@@ -27,6 +27,15 @@ const Instantiations& table() {
                               tsph_1d,
                               tsph_2d,
                               tsph_3d,
+                              tsph_energy,
+                              osph_1d,
+                              osph_2d,
+                              osph_3d,
+                              osph_energy,
+                              osph_coherent,
+                              v10_1d,
+                              v10_2d,
+                              v10_3d,
                               gadget2_1d,
                               gadget2_2d,
                               gadget2_3d,
@@ -58,12 +67,23 @@ const Instantiations& table() {
   return all;
 }
 
+/// Schemes that stand behind a user's choice of another, or that scenes use.
+constexpr const char* inner_schemes[] = {"glass", "relaxation", "v10-plain", "v10-smoothed"};
+
+/// The table's name of what the settings ask for: without conductivity its term is left out, its second signal velocity
+/// needs a pass of its own.
+std::string compiled_name(const SimulationSettings& settings) {
+  if (settings.scheme != "v10") return settings.scheme;
+  return settings.alpha_conductivity == 0 ? "v10-plain" : settings.conductivity == "v2" ? "v10-smoothed" : "v10";
+}
+
 /// The compiled scheme for these settings: the kernel's own instantiation, or the table's; one for equal masses where
 /// they are equal, or where no mass is to be exchanged.
 const Instantiation& choose(const SimulationSettings& settings, int dimension, bool equal_masses) {
   const bool no_exchange = equal_masses || settings.alpha_mass == 0;
+  const std::string scheme = compiled_name(settings);
   const auto matches = [&](const Instantiation& row, const std::string& kernel) {
-    return row.scheme == settings.scheme && row.energy == settings.energy && row.dimension == dimension &&
+    return row.scheme == scheme && row.energy == settings.energy && row.dimension == dimension &&
            row.precision == settings.precision && row.kernel == kernel;
   };
   for (const std::string& kernel : {settings.kernel, std::string()})
@@ -75,9 +95,18 @@ const Instantiation& choose(const SimulationSettings& settings, int dimension, b
                   settings.scheme, settings.energy, dimension, settings.precision, fmt::join(scheme_names(), ", ")));
 }
 
+bool is_of_r10(const std::string& scheme) {
+  return scheme == "sph" || scheme == "tsph" || scheme.starts_with("osph");
+}
+
 /// R10's Courant number for its time-step condition, S12's for that of the signal-velocity viscosity.
 double usual_courant(const std::string& scheme) {
-  return scheme == "sph" || scheme == "tsph" ? 0.4 : 0.2;
+  return is_of_r10(scheme) ? 0.4 : 0.2;
+}
+
+/// R10's and V10's coefficient of the quadratic viscosity.
+double usual_beta(const std::string& scheme) {
+  return scheme == "v10" ? 1.5 : 2;
 }
 
 bool have_equal_masses(const ParticleSet& particles) {
@@ -103,7 +132,9 @@ double with_kernel_number(const std::string& kernel, double (*number)(double w0,
 std::vector<std::string> scheme_names() {
   std::vector<std::string> names;
   for (const Instantiation& row : table())
-    if (row.scheme != "glass" && std::ranges::find(names, row.scheme) == names.end()) names.push_back(row.scheme);
+    if (std::ranges::find(inner_schemes, row.scheme) == std::end(inner_schemes) &&
+        std::ranges::find(names, row.scheme) == names.end())
+      names.push_back(row.scheme);
   return names;
 }
 
@@ -133,7 +164,18 @@ void declare_engine_keys(Settings& settings) {
                     0,
                     1e300});
   settings.declare({"viscosity.alpha", 1.0, "linear viscosity", {}, 0, 100});
-  settings.declare({"viscosity.beta", 2.0, "quadratic viscosity (schemes sph and tsph)", {}, 0, 100});
+  settings.declare({"viscosity.beta",
+                    -1.0,
+                    "quadratic viscosity (sph, tsph, osph, v10); negative: the scheme's own, 2, or 1.5 for v10",
+                    {},
+                    -1,
+                    100});
+  settings.declare({"viscosity.balsara", true, "Balsara's factor limits the viscosity of classic schemes", {}});
+  settings.declare({"conductivity.alpha", 1.0, "alpha_u of artificial conductivity (v10)", {}, 0, 100});
+  settings.declare({"conductivity.signal",
+                    "price",
+                    "its signal velocity: Price 2008, or V10's with the sign of dP du (v1), of smoothed pressures (v2)",
+                    {"price", "v1", "v2"}});
   settings.declare({"dissipation.entropy", 1.0, "alpha_A of entropy dissipation (sphs)", {}, 0, 100});
   settings.declare({"dissipation.mass", 1.0, "alpha_m of mass dissipation, where masses differ (sphs)", {}, 0, 100});
   std::vector<std::string> forms;
@@ -156,10 +198,12 @@ void declare_engine_keys(Settings& settings) {
        {}});
   settings.declare({"time.courant",
                     0.0,
-                    "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph and tsph, 0.2 for the others",
+                    "C of dt = C h / v_max; 0: the scheme's own, 0.4 for sph, tsph and osph, 0.2 for the others",
                     {},
                     0,
                     10});
+  settings.declare(
+      {"time.motion", true, "false: particles keep their places and velocities and only exchange heat and mass", {}});
   settings.declare({"time.max_dt", 0.0, "largest time-step; 0: no limit", {}, 0, 1e300});
 }
 
@@ -180,16 +224,21 @@ SimulationSettings simulation_settings(const Settings& settings) {
           .courant = settings.real("time.courant") > 0 ? settings.real("time.courant")
                                                        : usual_courant(settings.text("sph.scheme")),
           .viscosity_alpha = settings.real("viscosity.alpha"),
-          .viscosity_beta = settings.real("viscosity.beta"),
+          .viscosity_beta = settings.real("viscosity.beta") >= 0 ? settings.real("viscosity.beta")
+                                                                 : usual_beta(settings.text("sph.scheme")),
           .alpha_entropy = settings.real("dissipation.entropy"),
           .alpha_mass = settings.real("dissipation.mass"),
           .mass_correction = std::ranges::find(mass_corrections, settings.text("dissipation.mass_form"),
                                                [](const auto& form) { return std::string(form.first); })
                                  ->second,
+          .alpha_conductivity = settings.real("conductivity.alpha"),
+          .conductivity = settings.text("conductivity.signal"),
+          .balsara = settings.flag("viscosity.balsara"),
           .alpha_given = settings.real("switch.alpha"),
           .alpha_min = settings.real("switch.alpha_min"),
           .switch_noise = settings.real("switch.noise"),
           .balsara_limits_all = settings.text("switch.balsara") == "all",
+          .motion = settings.flag("time.motion"),
           .individual_steps = has_individual_steps(settings),
           .step_limiter = settings.flag("time.limiter"),
           .h_max = settings.real("sph.h_max"),

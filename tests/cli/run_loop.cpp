@@ -45,6 +45,7 @@ class Clock : public Simulation {
     return s;
   }
   std::vector<Field> rates(bool) override { return {}; }
+  std::vector<Field> errors() const override { return {}; }
   std::vector<std::string> warnings() const override { return {}; }
 
   std::vector<double> ends;  ///< the t_end of every step

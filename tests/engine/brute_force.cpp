@@ -23,7 +23,7 @@ BruteForce::BruteForce(const ParticleSet& particles, const SimulationSettings& s
   const std::size_t size = particles.size();
   for (auto* field : {&h, &rho, &n, &dn_dh, &drho_dh, &P, &c, &balsara, &entropy_rate, &count, &div_v})
     field->assign(size, 0);
-  for (auto* field : {&a, &curl_v, &E0}) field->assign(size, Array3{});
+  for (auto* field : {&a, &curl_v}) field->assign(size, Array3{});
   const int last = static_cast<int>(size);
   for (int i = 0; i < last; ++i) h[i] = root_of_constraint(i);
   for (int i = 0; i < last; ++i) gather_sums(i);
@@ -169,7 +169,6 @@ void BruteForce::pair_sums(int i) {
     Pi *= 0.5 * (balsara[i] + balsara[j]);
     add(a[i], -m * Pi * pair.dW, pair.e);
     heating += 0.5 * m * Pi * w * pair.dW;
-    add(E0[i], 2 * m / rho[j] * h[i] * pair.dW, pair.e);
   }
   entropy_rate[i] = (gamma - 1) * std::pow(rho[i], 1 - gamma) * heating;
 }

@@ -16,7 +16,7 @@ enum class MomentumForm { sph, tsph, conservative, morris };
 /// engine's code but the smoothing kernels' shapes: the independent check of cells, tiles and passes. O(N^2 images).
 struct BruteForce {
   std::vector<double> h, rho, n, dn_dh, drho_dh, P, c, balsara, entropy_rate, count;
-  std::vector<Array3> a, curl_v, E0;
+  std::vector<Array3> a, curl_v;
   std::vector<double> div_v;
 
   /// Both arguments have to outlive this object.

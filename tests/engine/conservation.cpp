@@ -39,7 +39,7 @@ TEST_P(Momentum, is_conserved_to_rounding) {
   for (int d = 0; d < 3; ++d) EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-13 * scale) << "axis " << d;
   EXPECT_EQ(run->snapshot().field("Masses").values, gas.m) << "nothing changes a mass";
 }
-INSTANTIATE_TEST_SUITE_P(Schemes, Momentum, testing::Values("sph", "tsph", "gadget2"));
+INSTANTIATE_TEST_SUITE_P(Schemes, Momentum, testing::Values("sph", "tsph", "gadget2", "osph", "osph-coherent", "v10"));
 
 /// Open space: no wrapping and no walls, so angular momentum too.
 TEST(AngularMomentum, is_conserved_to_the_integrators_rounding) {

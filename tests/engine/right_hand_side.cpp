@@ -47,7 +47,6 @@ TEST_P(RightHandSide, equals_the_explicit_sums) {
   expect_near(named(got, "VelocityCurl"), flat(wanted.curl_v), 1e-11 * table, "curl v");
   expect_near(named(got, "Acceleration"), flat(wanted.a), 1e-11 * table, "a");
   expect_near(named(got, "EntropyRate"), wanted.entropy_rate, 1e-11 * table, "dA/dt");
-  expect_near(named(got, "E0"), flat(wanted.E0), 1e-11 * table, "E0");
   expect_near(named(got, "NeighbourCount"), wanted.count, 0, "count");
 }
 

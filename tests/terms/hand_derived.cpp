@@ -102,12 +102,6 @@ TEST(Terms, largest_signal_velocity_of_monaghan) {
               rounding * wanted);
 }
 
-TEST(Terms, zeroth_order_error) {
-  const TwoParticles<double, 1> p;
-  const double wanted = 2 * 2 / 0.25 * 2 * 0.5 * (dW_i_1d + dW_j_1d);
-  EXPECT_NEAR((share<ZerothOrderError, double, 1>(p.i, p.j).E0[0]), wanted, rounding * std::abs(wanted));
-}
-
 TEST(Terms, velocity_divergence_and_kernel_of_a_gather_pair) {
   const TwoParticles<double, 1> p;
   Values<double, 1, VelocityDivergenceSum::Adds> sum;

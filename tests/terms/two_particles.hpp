@@ -15,7 +15,6 @@
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "kernels/terms/viscosity_signal_velocity.hpp"
 #include "kernels/terms/viscosity_switched.hpp"
-#include "kernels/terms/zeroth_order_error.hpp"
 
 namespace sphk::test {
 

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "kernels/smoothing/pair.hpp"
+#include "kernels/terms/term_set.hpp"
+
+namespace sphk {
+
+/// Leading errors of the generalised equations (R10 eq 28-30), g_ij = (rho_j/rho_i)(phi_i/phi_j), f_ij = (rho_j/rho_i)
+/// (eta_i/eta_j):
+///   E0_i =   sum_j (m_j/rho_j) [g_ij + 1/g_ij] h_i grad Wbar
+///   R_i  = - sum_j (m_j/rho_j) f_ij S_ij
+///   V_i  = - sum_j (m_j/rho_j) S_ij/g_ij,  S_ij = r Wbar' e_ij e_ij.
+/// Where forces use the kernels of both sides with grad-h in place of Wbar, the weights m_j/phi_j become m_j/phi_j +
+/// z_i (what z is: PressureGradientConservative) and each side has its own gradient; E0 is then what is left of the
+/// force of an even pressure, as it is in R10's. rho is the density of the equations of motion.
+struct ErrorTerms {
+  using Reads = List<Position, InverseSupport, Support, Mass, Density, InversePhi, InverseEta, GradHMass>;
+  using Adds = List<ErrorE0, ErrorR, ErrorV>;
+  static constexpr int flops = 80;
+  double own;  ///< 1 where each side's kernel counts, else 0
+  explicit ErrorTerms(const Parameters& p) : own(p.own_kernels ? 1 : 0) {}
+
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
+    using P = std::remove_cvref_t<decltype(i.m)>;
+    const P mine = P(lane_t<P>(own)), mean = P(lane_t<P>(1 - own));
+    const auto grad_i = mine * ij.grad_W_i + mean * ij.grad_W, grad_j = mine * ij.grad_W_j + mean * ij.grad_W;
+    const P from_i = (j.m * j.phi_inv + i.z) / (i.phi_inv * i.rho);
+    const P from_j = j.m * (i.m * i.phi_inv + j.z) * i.rho / (i.m * j.phi_inv * j.rho * j.rho);
+    sum.E0 += i.h * (from_i * grad_i + from_j * grad_j);
+    add_matrix(sum.R, (j.m * j.eta_inv + i.z) / (i.eta_inv * i.rho), grad_i, ij.r_ij);
+    add_matrix(sum.V, from_j, grad_j, ij.r_ij);
+  }
+
+ private:
+  /// - weight grad W r_ij, a symmetric matrix: the diagonal, then xy, xz, yz.
+  template <class P, int D>
+  KOKKOS_FORCEINLINE_FUNCTION static void add_matrix(Vec<P, symmetric_size<D>>& sum, const P& weight,
+                                                     const Vec<P, D>& grad, const Vec<P, D>& r) {
+    int k = D;
+    for (int a = 0; a < D; ++a) {
+      sum[a] = sum[a] - weight * grad[a] * r[a];
+      for (int b = a + 1; b < D; ++b, ++k) sum[k] = sum[k] - weight * grad[a] * r[b];
+    }
+  }
+};
+
+/// How unlike and how near the neighbours are that lie within h_i. The contrast here is the ratio of the larger entropy
+/// to the smaller; its logarithm is taken after the sum.
+struct NeighbourhoodTerms : PlainTerm {
+  using PlainTerm::PlainTerm;
+  using Reads = List<Position, InverseSupport, Entropy>;
+  using Adds = List<EntropyContrast, InverseNearest>;
+  static constexpr int flops = 8;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
+    using P = std::remove_cvref_t<decltype(i.A)>;
+    using T = lane_t<P>;
+    const P zero = T(0);
+    const P ratio = sphk::max(i.A, j.A) / sphk::max(sphk::min(i.A, j.A), P(Kokkos::Experimental::norm_min_v<T>));
+    sum.contrast = sphk::max(sum.contrast, select(ij.q < P(T(1)), ratio, zero));
+    sum.nearest_inv = sphk::max(sum.nearest_inv, select(ij.q < P(T(1)), select(zero < ij.r, ij.r_inv, zero), zero));
+  }
+};
+
+}  // namespace sphk
