@@ -102,12 +102,15 @@ void add_plot(CLI::App& root, Options& o) {
       ->required();
   app.add_flag("--exact,!--no-exact", o.plot.exact, "draw the exact solution where the scene has one (default)");
   app.add_flag("--conservation", o.plot.conservation, "draw how well the runs conserve, in one figure");
+  app.add_flag("--errors", o.plot.errors,
+               "draw density, particles, |E0| and P of runs with output.errors = true, in one figure (R10 Fig. 4)");
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
   app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
   app.footer(
       "Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
       "  sphk plot blob-run blob-run-2 --out both.png\n"
-      "  sphk plot sod-run gresho-run --conservation --out conserved.png");
+      "  sphk plot sod-run gresho-run --conservation --out conserved.png\n"
+      "  sphk plot kh12-run kh12-run-2 --errors --out errors.png");
 }
 
 void add_rates(CLI::App& root, Options& o) {

@@ -24,7 +24,7 @@ struct RunOptions {
 struct PlotOptions {
   std::vector<std::string> what;             ///< a run's folder or a snapshot; several: their maps side by side
   std::optional<std::filesystem::path> out;  ///< file of the only figure, or folder of several
-  bool exact = true, every = false, conservation = false;
+  bool exact = true, every = false, conservation = false, errors = false;
 };
 
 struct RatesOptions {

@@ -10,6 +10,7 @@
 #include "src/cli/file_scene.hpp"
 #include "src/cli/plot_script.hpp"
 #include "src/engine/errors.hpp"
+#include "src/io/hdf5_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -132,6 +133,23 @@ void plot_side_by_side(const PlotOptions& options) {
   run_plot_script(Json{{"beside", maps}, {"out", options.out->string()}}.dump());
 }
 
+/// How well the particles of runs sample their kernels, in one figure.
+void plot_errors(const PlotOptions& options) {
+  if (!options.out || options.out->extension() != ".png")
+    throw InputError("--errors draws one figure for all runs: name it with --out FILE.png");
+  Json runs = Json::array();
+  for (const std::string& what : options.what) {
+    const Targets targets = find_targets(what, false);
+    const fs::path& snapshot = targets.snapshots.back();
+    if (!hdf5::File::open(snapshot).group("PartType0").has("E0"))
+      throw InputError(fmt::format("{} holds no E0: run with --set output.errors=true", snapshot.string()));
+    runs.push_back(describe_snapshot(snapshot, problem_of(targets), false));
+    if (runs.back()["dimension"] == 1)
+      throw InputError(fmt::format("{} is one-dimensional: --errors draws maps and lines along y", what));
+  }
+  run_plot_script(Json{{"errors", runs}, {"out", options.out->string()}}.dump());
+}
+
 /// How well one or several runs conserve, in one figure.
 void plot_conservation(const PlotOptions& options) {
   if (!options.out || options.out->extension() != ".png")
@@ -156,6 +174,10 @@ void plot_conservation(const PlotOptions& options) {
 int plot_command(const PlotOptions& options) {
   if (options.conservation) {
     plot_conservation(options);
+    return ExitCode::done;
+  }
+  if (options.errors) {
+    plot_errors(options);
     return ExitCode::done;
   }
   if (options.what.size() > 1) {

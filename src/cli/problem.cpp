@@ -8,6 +8,7 @@
 #include "src/cli/file_scene.hpp"
 #include "src/cli/scene_file.hpp"
 #include "src/engine/errors.hpp"
+#include "src/scenes/initial_condition.hpp"
 #include "src/schemes/labels.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -29,6 +30,7 @@ void take_scene(Problem& problem, const Scene& scene) {
   problem.scene = &scene;
   declare_engine_keys(problem.settings);
   declare_run_keys(problem.settings);
+  declare_initial_condition_keys(problem.settings);
   scene.declare(problem.settings);
 }
 
@@ -101,6 +103,11 @@ void declare_run_keys(Settings& settings) {
                     .choices = {},
                     .min = 1,
                     .max = 9999});
+  settings.declare({.name = "output.errors",
+                    .value = false,
+                    .doc = "E0, R, V (R10 eq 28-30) and nearest neighbours into the snapshots, their budget into the "
+                           "history and the final table",
+                    .choices = {}});
   settings.declare({.name = "output.compression",
                     .value = std::string("none"),
                     .doc = "of the snapshots; gzip: smaller, and slower to write",

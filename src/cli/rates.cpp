@@ -6,6 +6,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/run_output.hpp"
 #include "src/engine/errors.hpp"
+#include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -55,7 +56,7 @@ int rates_command(const RatesOptions& options) {
                                   {"time.steps", "global", "--precision double"}};
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   Problem problem = resolve_problem(options.file, overrides);
-  ParticleSet particles = problem.scene->build(problem.settings);
+  ParticleSet particles = initial_condition(*problem.scene, problem.settings);
   for (const Override& key : dissipation(options.alpha, problem.settings.text("sph.scheme"), particles))
     problem.settings.set_from_text(key.name, key.text, Origin::command_line);
   if (particles.id.empty()) {

@@ -12,6 +12,7 @@
 #include "src/report/final_table.hpp"
 #include "src/report/run_json.hpp"
 #include "src/report/text_file.hpp"
+#include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/stability/verdict.hpp"
 
@@ -68,6 +69,7 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
   record.costs = simulation.costs();
   record.conservation = drift(output.start(), simulation.totals(), box);
   record.errors = output.errors();
+  record.budget = output.budget();
   for (const std::string& warning : simulation.warnings())
     if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
 }
@@ -86,7 +88,7 @@ int run_command(const RunOptions& options) {
   if (options.dry_run) return dry_run_command(problem);
   if (options.out && !options.overwrite) refuse_used_folder(*options.out);
   const Stopwatch setup;
-  const ParticleSet particles = problem.scene->build(problem.settings);
+  const ParticleSet particles = initial_condition(*problem.scene, problem.settings);
   const RunLoop::Plan plan = make_plan(problem.settings, particles.time);
   RunRecord record = make_record(problem, particles);
   Progress progress(options.json_log ? ProgressStyle::json : style_for(stdout),

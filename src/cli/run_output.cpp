@@ -43,13 +43,19 @@ void RunOutput::write(const Simulation& simulation) {
   const StepReport step = simulation.last_step();
   if (step.step == last_step_) return;
   const Stopwatch watch;
-  const Snapshot snapshot = simulation.snapshot();
+  Snapshot snapshot = simulation.snapshot();
+  History::Measures measures = scene_.measures(settings_, snapshot);
+  if (settings_.flag("output.errors")) {
+    const std::vector<Field> errors = simulation.errors();
+    budget_ = error_budget(snapshot, errors);
+    snapshot.fields.insert(snapshot.fields.end(), errors.begin(), errors.end());
+    for (const auto& column : columns(*budget_)) measures.push_back(column);
+  }
   const std::string name = fmt::format("snap_{:04}.hdf5", series_.size());
   write_snapshot(folder_ / name, snapshot, info_, compression_);
   series_.push_back({name, snapshot.time});
   write_series(folder_, series_);
   errors_ = scene_.errors(settings_, snapshot);
-  History::Measures measures = scene_.measures(settings_, snapshot);
   for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
   const Totals totals = simulation.totals();
   if (!start_) start_ = totals;

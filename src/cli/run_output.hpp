@@ -8,6 +8,7 @@
 
 #include "src/engine/simulation.hpp"
 #include "src/io/snapshot_writer.hpp"
+#include "src/report/error_budget.hpp"
 #include "src/report/history.hpp"
 #include "src/scenes/scene.hpp"
 
@@ -24,6 +25,8 @@ class RunOutput {
 
   /// The scene's error norms at the last output.
   const std::map<std::string, ErrorNorm>& errors() const { return errors_; }
+  /// Of the kernels' sampling at the last output, where the key output.errors asks for it.
+  const std::optional<ErrorBudget>& budget() const { return budget_; }
   double seconds() const { return seconds_; }
   /// The conserved sums at the first output.
   const Totals& start() const { return *start_; }
@@ -39,6 +42,7 @@ class RunOutput {
   History history_;
   std::vector<SeriesEntry> series_;
   std::map<std::string, ErrorNorm> errors_;
+  std::optional<ErrorBudget> budget_;
   std::optional<Totals> start_;
   long last_step_ = -1;
   double seconds_ = 0;

@@ -108,6 +108,7 @@ class Engine final : public Simulation {
   void begin_step(double t_end) {
     StepClock& clock = run_.state.clock;
     clock.dt = next_dt(t_end);
+    require_progress(run_.limit, clock.dt, run_.time, run_.step);
     end_of_step_ = t_end - run_.time <= clock.dt * (1 + 1e-12) ? t_end : run_.time + clock.dt;
   }
 

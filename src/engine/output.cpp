@@ -13,6 +13,14 @@ void require_finite(const StepLimit& limit, double time, long step) {
                   step, time, limit.particle));
 }
 
+void require_progress(const StepLimit& limit, double dt, double time, long step) {
+  if (time + dt > time) return;
+  throw NumericsError(fmt::format(
+      "step {}, t = {}: particle {} asks for a time-step of {:.3g}, too short to change the time. Look at the "
+      "last snapshot around that particle; a smaller time.courant may help.",
+      step, time, limit.particle, dt));
+}
+
 void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step) {
   if (!clock.individual || limit.dt >= clock.tick) return;
   throw NumericsError(fmt::format(

@@ -45,6 +45,9 @@ constexpr double flops_per_pair() {
 /// Throws NumericsError naming the particle when the next time-step is not positive.
 void require_finite(const StepLimit& limit, double time, long step);
 
+/// Throws NumericsError where a step of dt does not change the time.
+void require_progress(const StepLimit& limit, double dt, double time, long step);
+
 /// Throws NumericsError where a particle asks for less than the shortest step of the hierarchy.
 void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step);
 

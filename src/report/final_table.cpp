@@ -52,6 +52,19 @@ void physics(Text out, const RunRecord& r) {
                    field, norm.l1, norm.l2, norm.linf, norm.where[0], norm.where[1], norm.where[2]);
 }
 
+void error_budget(Text out, const ErrorBudget& b) {
+  const auto row = [&](const char* name, const ErrorShare& share) {
+    fmt::format_to(out, "  {:<30} {:>9} {:>10.3g} {:>10.3g} {:>10.3g}\n", name, share.particles, share.mean, share.high,
+                   share.max);
+  };
+  fmt::format_to(out, "  {:<30} {:>9} {:>10} {:>10} {:>10}\n", "|E0| (R10 eq 28)", "particles", "mean", "95 %", "max");
+  row("all", b.all);
+  row("where fluids meet", b.boundary);
+  row("away from there", b.bulk);
+  fmt::format_to(out, "  mean |R - 1| {:.3g}, |V - 1| {:.3g}; nearest neighbour at {:.3g} mean spacings, 5 % below {:.3g}\n",
+                 b.R, b.V, b.nearest, b.nearest_low);
+}
+
 }  // namespace
 
 std::string final_table(const RunRecord& record) {
@@ -60,6 +73,7 @@ std::string final_table(const RunRecord& record) {
   phases(out, record);
   rates(out, record);
   physics(out, record);
+  if (record.budget) error_budget(out, *record.budget);
   for (const auto& warning : record.warnings) fmt::format_to(out, "  note: {}\n", warning);
   return text;
 }

@@ -27,10 +27,21 @@ Json errors(const std::map<std::string, ErrorNorm>& norms) {
   return json;
 }
 
+Json share(const ErrorShare& s) {
+  return {{"particles", s.particles}, {"mean", s.mean}, {"percentile_95", s.high}, {"max", s.max}};
+}
+
+Json error_budget(const ErrorBudget& b) {
+  return {{"E0", {{"all", share(b.all)}, {"boundary", share(b.boundary)}, {"bulk", share(b.bulk)}}},
+          {"R", b.R},
+          {"V", b.V},
+          {"nearest", {{"mean", b.nearest}, {"percentile_5", b.nearest_low}}}};
+}
+
 }  // namespace
 
 std::string run_json(const RunRecord& r) {
-  const Json json = {
+  Json json = {
       {"scene", r.scene},
       {"scheme", r.scheme},
       {"kernel", r.kernel},
@@ -68,6 +79,7 @@ std::string run_json(const RunRecord& r) {
       {"compiler", r.build.compiler},
       {"machine", machine_name()},
   };
+  if (r.budget) json["error_budget"] = error_budget(*r.budget);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/report/conservation.hpp"
+#include "src/report/error_budget.hpp"
 #include "src/scenes/scene.hpp"
 
 namespace sphk {
@@ -43,6 +45,7 @@ struct RunRecord {
   Costs costs;
   Conservation conservation;
   std::map<std::string, ErrorNorm> errors;
+  std::optional<ErrorBudget> budget;  ///< at the last output, where it was asked for
   std::vector<std::string> left_out, warnings;
 
   double updates_per_second() const { return wall_seconds > 0 ? static_cast<double>(costs.updates) / wall_seconds : 0; }

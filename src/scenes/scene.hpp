@@ -47,6 +47,9 @@ class Scene {
   /// as gamma from scene.variant. Keys that the user set stay as they are.
   virtual void adapt(Settings&) const {}
   virtual ParticleSet build(const Settings& settings) const = 0;
+  /// Velocities that depend on where the particles are, once they have settled elsewhere (initial_condition.hpp); by
+  /// default particles keep theirs.
+  virtual void set_velocities(ParticleSet&, const Settings&) const {}
   /// The exact solution, if there is one.
   virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }
   /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no reference.

@@ -4,7 +4,6 @@
 
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mass_profile.hpp"
-#include "src/scenes/relaxation.hpp"
 #include "src/scenes/temperatures.hpp"
 
 namespace sphk {
@@ -45,7 +44,6 @@ void ShearLayers::declare(Settings& settings) const {
                     .max = 100000});
   declare_masses(settings, "equal");
   declare_temperatures(settings);
-  declare_relaxation(settings);
   settings.declare(
       {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
@@ -69,19 +67,21 @@ ParticleSet ShearLayers::build(const Settings& settings) const {
     place_equal_masses(gas, flow, settings);
   else
     place_even(gas, even, flow, settings);
-  const double gamma = settings.real("sph.gamma"), boost = settings.real("scene.boost");
-  const auto set_velocities = [&] {
-    gas.v.clear();
-    for (const auto& [x, y, z] : gas.x) gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
-  };
-  set_velocities();
+  const double gamma = settings.real("sph.gamma");
+  set_velocities(gas, settings);
   for (const auto& [x, y, z] : gas.x) {
     gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
     gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
   }
   smooth_temperatures(gas, flow.pressure, settings);
-  if (relax(gas, settings)) set_velocities();
   return gas;
+}
+
+void ShearLayers::set_velocities(ParticleSet& gas, const Settings& settings) const {
+  const LayeredFlow flow = this->flow(settings);
+  const double boost = settings.real("scene.boost");
+  gas.v.clear();
+  for (const auto& [x, y, z] : gas.x) gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
 }
 
 std::vector<std::pair<std::string, double>> ShearLayers::measures(const Settings& settings,

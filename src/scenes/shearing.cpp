@@ -58,6 +58,12 @@ void Shearing::declare(Settings& settings) const {
                     .choices = {},
                     .min = 0,
                     .max = 100});
+  settings.declare({.name = "scene.seed",
+                    .value = 0.025,
+                    .doc = "amplitude of the disturbance v_y = A sin(2 pi x/lambda) (V10 eq 15)",
+                    .choices = {},
+                    .min = -1e6,
+                    .max = 1e6});
   settings.declare({.name = "scene.smoothing",
                     .value = std::string("columns"),
                     .doc = "of the density: none, along columns, or by rows between square grids (V10 sec 4.3)",
@@ -70,10 +76,10 @@ void Shearing::adapt(Settings& settings) const {
   prefer_unless_set(settings, "scene.dimension", std::int64_t{2});
   prefer_unless_set(settings, "scene.n", std::int64_t{s.n});
   prefer_unless_set(settings, "scene.smoothing", std::string(s.smoothing));
-  prefer_unless_set(settings, "scene.temperatures", std::string("smoothed"));
   prefer_unless_set(settings, "sph.scheme", std::string("v10"));
   prefer_unless_set(settings, "conductivity.alpha", s.conductivity);
-  if (!settings.has("sph.scheme")) return;
+  if (!settings.has("sph.scheme")) return;  // smoothed temperatures need a scheme
+  prefer_unless_set(settings, "scene.temperatures", std::string("smoothed"));
   if (!settings.text("sph.scheme").starts_with("sphs")) {
     prefer_unless_set(settings, "sph.kernel", std::string(s.kernel));
     prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
@@ -98,7 +104,8 @@ LayeredFlow Shearing::flow(const Settings& settings) const {
                 return 1 + (contrast - 1) * (sharp ? double(inwards(y) > 0) : arctan_step(inwards(y), boundary_width));
               },
           .v_x = [=](double y) { return inwards(y) > 0 ? speed : -speed; },
-          .v_y = [](double x, double) { return 0.025 * std::sin(2 * std::numbers::pi / wavelength * x); }};
+          .v_y = [seed = settings.real("scene.seed")](
+                     double x, double) { return seed * std::sin(2 * std::numbers::pi / wavelength * x); }};
 }
 
 /// As many particles as V10 have at n = 190: 199252 on two grids, 184100 on 350 columns.

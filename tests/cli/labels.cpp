@@ -16,6 +16,8 @@ TEST(Labels, StandForSchemeKernelAndNeighbours) {
             (KeyValues{{"sph.scheme", "gadget2"}, {"sph.kernel", "cs"}, {"sph.neighbours", "42"}}));
   EXPECT_EQ(keys_of_label("TSPH-HOCT4-442"),
             (KeyValues{{"sph.scheme", "tsph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));
+  EXPECT_EQ(keys_of_label("OSPH-HOCT4-442"),
+            (KeyValues{{"sph.scheme", "osph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));
   EXPECT_EQ(keys_of_label("SPHS-CT128e-multi-g"), (KeyValues{{"sph.scheme", "sphs-morris"},
                                                              {"sph.kernel", "ct"},
                                                              {"sph.neighbours", "128"},

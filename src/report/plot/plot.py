@@ -20,6 +20,7 @@ except ImportError:
     sys.exit(MISSING_PACKAGE)
 
 from density_map import draw_density_maps
+from errors import draw_errors
 from history import draw_conservation, draw_history, errors_at, read_history
 from profiles import draw_profiles
 from snapshot import Snapshot
@@ -38,6 +39,9 @@ def main():
         return
     if work.get("conservation"):
         draw_conservation(work["conservation"], work["out"])
+        return
+    if work.get("errors"):
+        draw_errors([Snapshot(item) for item in work["errors"]], work["out"])
         return
     if work.get("beside"):
         draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"])

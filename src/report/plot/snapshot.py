@@ -15,6 +15,7 @@ class Snapshot:
             gas = file["PartType0"]
             self.x = gas["Coordinates"][...].astype(float)
             self.velocity = gas["Velocities"][...].astype(float)
+            self.E0 = gas["E0"][...].astype(float) if "E0" in gas else None
             self.fields = {name: gas[key][...] for name, key in DATASETS.items() if key in gas}
 
     def offset(self):

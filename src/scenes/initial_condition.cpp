@@ -1,0 +1,55 @@
+#include "src/scenes/initial_condition.hpp"
+
+#include "src/scenes/temperatures.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+void relax(ParticleSet& gas, double time, const Settings& settings) {
+  SimulationSettings simulation = simulation_settings(settings);
+  simulation.scheme = "relaxation";
+  simulation.energy = "energy";
+  simulation.precision = "mixed";
+  simulation.individual_steps = false;
+  simulation.motion = true;
+  ParticleSet resting = gas;
+  resting.time = 0;
+  resting.id.clear();  // 1, 2, ...: the order of the rows
+  resting.v.assign(gas.size(), {0, 0, 0});
+  const auto run = make_simulation(resting, simulation);
+  while (run->time() < time) run->step(time);
+  const Snapshot settled = run->snapshot();
+  const std::vector<double>&x = settled.field("Coordinates").values, &u = settled.field("InternalEnergies").values;
+  for (std::size_t i = 0; i < gas.size(); ++i) gas.x[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, gas.u[i] = u[i];
+}
+
+}  // namespace
+
+void declare_initial_condition_keys(Settings& settings) {
+  settings.declare({.name = "ic.pressure",
+                    .value = 0.0,
+                    .doc = "pressure from which, with the measured density, every u follows; 0: u of the scene",
+                    .choices = {},
+                    .min = 0,
+                    .max = 1e300});
+  settings.declare({.name = "ic.relax",
+                    .value = 0.0,
+                    .doc = "time that the gas settles from rest before the run, without heating by work (V10)",
+                    .choices = {},
+                    .min = 0,
+                    .max = 1e300});
+}
+
+ParticleSet initial_condition(const Scene& scene, const Settings& settings) {
+  ParticleSet gas = scene.build(settings);
+  if (const double P = settings.real("ic.pressure"); P > 0) set_pressure(gas, P, settings);
+  if (const double time = settings.real("ic.relax"); time > 0) {
+    relax(gas, time, settings);
+    scene.set_velocities(gas, settings);
+  }
+  return gas;
+}
+
+}  // namespace sphk
