@@ -104,13 +104,16 @@ void add_plot(CLI::App& root, Options& o) {
   app.add_flag("--conservation", o.plot.conservation, "draw how well the runs conserve, in one figure");
   app.add_flag("--errors", o.plot.errors,
                "draw density, particles, |E0| and P of runs with output.errors = true, in one figure (R10 Fig. 4)");
+  app.add_option("--profile", o.plot.profile, "draw this field of several runs, a panel each (V10 Fig. 4)")
+      ->check(CLI::IsMember({"rho", "v", "P", "u", "A"}));
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
   app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
   app.footer(
       "Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
       "  sphk plot blob-run blob-run-2 --out both.png\n"
       "  sphk plot sod-run gresho-run --conservation --out conserved.png\n"
-      "  sphk plot kh12-run kh12-run-2 --errors --out errors.png");
+      "  sphk plot kh12-run kh12-run-2 --errors --out errors.png\n"
+      "  sphk plot sod-run sod-run-2 sod-run-3 --profile rho --out tubes.png");
 }
 
 void add_rates(CLI::App& root, Options& o) {
@@ -142,6 +145,15 @@ void add_stability(CLI::App& root, Options& o) {
   app.footer(
       "Examples:\n  sphk stability --kernel hoct4 --neighbours 442\n"
       "  sphk stability --kernel cs --neighbours 32 --lattice square --out maps");
+}
+
+void add_tables(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("tables", "the papers' tables, computed, beside what they print");
+  add_threads(app, o);
+  app.add_option("--out", o.out, "folder for the tables as CSV and the smoothing kernels as kernels.png");
+  app.footer(
+      "S12 Table 1 (density errors), R10 Table 1 (HOCT kernels), V10 Table 1 (LIQ kernels), S12 Fig. 1 (half-mass "
+      "radii).\nExample:\n  sphk tables --out tables");
 }
 
 void add_inspection(CLI::App& root, Options& o) {
@@ -197,6 +209,7 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
   if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
   if (name == "info") return plain([o] { return info_command(o->file); });
   if (name == "ic") return plain([o] { return ic_check_command(o->file); });
+  if (name == "tables") return computing([o] { return tables_command({path_of(o->out)}); });
   if (name == "stability") {
     o->stability.out = path_of(o->out);
     return plain([o] { return stability_command(o->stability); });
@@ -217,6 +230,7 @@ Request parse_command_line(int argc, char** argv) {
   add_plot(root, *options);
   add_rates(root, *options);
   add_stability(root, *options);
+  add_tables(root, *options);
   root.footer(
       "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
       "`sphk COMMAND --help` tells more about each command.");

@@ -25,6 +25,7 @@ struct PlotOptions {
   std::vector<std::string> what;             ///< a run's folder or a snapshot; several: their maps side by side
   std::optional<std::filesystem::path> out;  ///< file of the only figure, or folder of several
   bool exact = true, every = false, conservation = false, errors = false;
+  std::string profile;  ///< the field of several runs that is drawn a panel each; empty: none
 };
 
 struct RatesOptions {
@@ -43,6 +44,10 @@ struct StabilityOptions {
   std::optional<std::filesystem::path> out;  ///< folder of the maps
 };
 
+struct TablesOptions {
+  std::optional<std::filesystem::path> out;  ///< folder of CSV files and the kernels' figure
+};
+
 /// Every command returns its exit code and throws InputError, NumericsError or DeviceError.
 int run_command(const RunOptions& options);
 /// What a run would cost: particles, memory, steps, size of the output, time from a trial of three steps.
@@ -54,6 +59,8 @@ int info_command(const std::string& file);
 int rates_command(const RatesOptions& options);
 /// Linear waves of a kernel and neighbour number on a lattice (R10 sec 3).
 int stability_command(const StabilityOptions& options);
+/// The papers' tables, computed, beside what they print.
+int tables_command(const TablesOptions& options);
 int ic_check_command(const std::string& file);
 
 }  // namespace sphk

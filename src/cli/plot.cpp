@@ -150,6 +150,27 @@ void plot_errors(const PlotOptions& options) {
   run_plot_script(Json{{"errors", runs}, {"out", options.out->string()}}.dump());
 }
 
+/// One field of several runs against the exact solution, a panel each.
+void plot_profiles(const PlotOptions& options) {
+  if (!options.out || options.out->extension() != ".png")
+    throw InputError("--profile draws one figure for all runs: name it with --out FILE.png");
+  Json runs = Json::array();
+  for (const std::string& what : options.what) {
+    const Targets targets = find_targets(what, false);
+    const auto problem = problem_of(targets);
+    Json item = describe_snapshot(targets.snapshots.back(), problem, options.exact);
+    const fs::path history = targets.folder / "history.csv";
+    item["history"] = fs::exists(history) ? Json(history.string()) : Json(nullptr);
+    item["label"] = targets.folder.filename().string();
+    if (problem) {
+      const SimulationSettings s = simulation_settings(problem->settings);
+      item["label"] = fmt::format("{} {} {:g}", s.scheme, s.kernel, s.neighbours);
+    }
+    runs.push_back(item);
+  }
+  run_plot_script(Json{{"profiles", runs}, {"field", options.profile}, {"out", options.out->string()}}.dump());
+}
+
 /// How well one or several runs conserve, in one figure.
 void plot_conservation(const PlotOptions& options) {
   if (!options.out || options.out->extension() != ".png")
@@ -161,9 +182,11 @@ void plot_conservation(const PlotOptions& options) {
     if (!fs::exists(history))
       throw InputError(fmt::format("{} holds no history.csv; is it the folder of a run?", targets.folder.string()));
     const auto problem = problem_of(targets);
-    const auto title = problem ? fmt::format("{}, {} ({})", problem->scene->name(),
-                                             problem->settings.text("sph.scheme"), problem->settings.text("sph.energy"))
-                               : targets.folder.filename().string();
+    std::string title = targets.folder.filename().string();
+    if (problem) {
+      const SimulationSettings s = simulation_settings(problem->settings);
+      title = fmt::format("{}, {} ({}) {} {:g}", problem->scene->name(), s.scheme, s.energy, s.kernel, s.neighbours);
+    }
     runs.push_back({{"history", history.string()}, {"title", title}});
   }
   run_plot_script(Json{{"conservation", runs}, {"out", options.out->string()}}.dump());
@@ -174,6 +197,10 @@ void plot_conservation(const PlotOptions& options) {
 int plot_command(const PlotOptions& options) {
   if (options.conservation) {
     plot_conservation(options);
+    return ExitCode::done;
+  }
+  if (!options.profile.empty()) {
+    plot_profiles(options);
     return ExitCode::done;
   }
   if (options.errors) {

@@ -67,6 +67,15 @@ void switch_on_at_the_jumps(ParticleSet& gas) {
   for (const Array3& x : gas.x) gas.alpha.push_back(std::abs(x[0]) < 0.05 || std::abs(x[0]) > 0.95 ? 1 : 0);
 }
 
+/// V10 sec 3.1: rows of equal spacing across, 400 dense particles over 3/4 along; its scheme and kernel.
+void prefer_as_v10(Settings& settings) {
+  prefer_unless_set(settings, "scene.n", std::int64_t{528});
+  prefer_unless_set(settings, "scene.across", std::int64_t{52});
+  prefer_unless_set(settings, "scene.lattice", std::string("cubic"));
+  prefer_unless_set(settings, "sph.scheme", std::string("v10"));
+  prefer_unless_set(settings, "sph.kernel", std::string("liq"));
+}
+
 class Sod : public Scene {
  public:
   /// `masses`: the standard value of scene.masses.
@@ -94,6 +103,7 @@ class Sod : public Scene {
     prefer_unless_set(settings, "scene.dimension", std::int64_t{variant == "v10" ? 2 : 3});
     prefer_unless_set(settings, "sph.gamma", variant == "r10" ? 1.4 : 5.0 / 3);
     const int D = scene_dimension(settings);
+    if (variant == "v10") prefer_as_v10(settings);
     if (D == 2) prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
     else prefer_usual_kernel(settings, D);
   }

@@ -22,7 +22,8 @@ except ImportError:
 from density_map import draw_density_maps
 from errors import draw_errors
 from history import draw_conservation, draw_history, errors_at, read_history
-from profiles import draw_profiles
+from kernels import draw_kernels
+from profiles import draw_one_field, draw_profiles
 from snapshot import Snapshot
 from stability import draw_stability
 
@@ -40,8 +41,17 @@ def main():
     if work.get("conservation"):
         draw_conservation(work["conservation"], work["out"])
         return
+    if work.get("kernels"):
+        draw_kernels(work["kernels"], work["out"])
+        return
     if work.get("errors"):
         draw_errors([Snapshot(item) for item in work["errors"]], work["out"])
+        return
+    if work.get("profiles"):
+        name, items = work["field"], work["profiles"]
+        errors = [errors_at(read_history(item["history"]), item["time"]).get(name) if item["history"] else None
+                  for item in items]
+        draw_one_field([Snapshot(item) for item in items], errors, name, work["out"])
         return
     if work.get("beside"):
         draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"])

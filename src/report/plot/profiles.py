@@ -67,3 +67,25 @@ def draw_profiles(snapshot, errors, path):
     figure.legend(handles, texts, loc="lower center", bbox_to_anchor=(0.5, -0.005), ncol=len(texts), markerscale=1.8)
     figure.get_layout_engine().set(rect=(0, 0.08 / rows, 1, 1 - 0.08 / rows), w_pad=0.12)
     save(figure, path)
+
+
+def draw_one_field(snapshots, errors, name, path):
+    """Field `name` of several runs, a panel each on one scale, as V10 Fig. 4. `errors`: the L1 norm of each, or None."""
+    columns = min(len(snapshots), 3)
+    rows = -(-len(snapshots) // columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(5.2 * columns, 4.0 * rows + 0.9), squeeze=False, sharex=True,
+                                  constrained_layout=True)
+    panels = list(panels.flat)
+    for axes, snapshot, error in zip(panels, snapshots, errors):
+        draw_panel(axes, snapshot, name, error)
+        axes.set_title(f"{snapshot.item['label']}, {axes.get_title()}" if error is not None else snapshot.item["label"])
+    used = panels[: len(snapshots)]
+    low, high = min(a.get_ylim()[0] for a in used), max(a.get_ylim()[1] for a in used)
+    for axes in used:
+        axes.set_ylim(low, high)
+    for axes in panels[len(snapshots):]:
+        axes.axis("off")
+    handles, texts = panels[0].get_legend_handles_labels()
+    figure.legend(handles, texts, loc="lower center", bbox_to_anchor=(0.5, -0.005), ncol=len(texts), markerscale=1.8)
+    figure.get_layout_engine().set(rect=(0, 0.08 / rows, 1, 1 - 0.08 / rows), w_pad=0.12)
+    save(figure, path)
