@@ -107,7 +107,7 @@ PublishedTable liq_coefficients() {
   const char* names[] = {"A", "B", "C", "D", "E", "F", "N 2D", "N 3D"};
   PublishedTable table{"v10-table-1",
                        "V10 Table 1: coefficients of the LIQ kernels",
-                       "E of x_s = 0 is printed as \"05\", read here as 0.5.",
+                       "E of x_s = 0 is printed as \"05\", read here as 0.5; N 3D of x_s = 0.3 is cut, not rounded.",
                        {}};
   for (const Row& row : rows) {
     // The engine's form outside the core is s^3 (c + k s), s = 1 - q: expanded in q.

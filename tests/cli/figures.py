@@ -82,6 +82,42 @@ class Figures(unittest.TestCase):
             self.assertGreater(share(pixels, colour), 1e-5, "a line a run")
         self.assertIn("--out FILE.png", self.sphk("plot", "run", "--conservation", code=2))
 
+    def test_errors_of_runs_share_one_figure(self):
+        for scheme in ("sph", "osph"):
+            self.sphk("run", "kh12", "-n", "16", "--set", "scene.dimension=2", "--scheme", scheme, "--steps", "1",
+                      "--set", "output.errors=true", "--out", scheme)
+        self.sphk("plot", "sph", "osph", "--errors", "--out", "errors.png")
+        image = matplotlib.image.imread(os.path.join(self.folder, "errors.png"))
+        self.assertGreater(image.shape[1] / image.shape[0], 1.5)  # two rows of four panels
+        self.assertGreater(share(colours(os.path.join(self.folder, "errors.png"))[0], "#0072b2"), 1e-4)  # means along y
+        self.assertIn("output.errors=true", self.sphk("plot", "run", "--errors", "--out", "none.png", code=2))
+
+    def test_one_field_of_several_runs_is_drawn_a_panel_each(self):
+        tube = ("--set", "scene.dimension=1", "--set", "scene.variant=v10", "-n", "64", "--steps", "3")
+        for kernel in ("liq0.2", "cs"):
+            self.sphk("run", "sod", *tube, "--kernel", kernel, "--out", kernel)
+        self.sphk("plot", "liq0.2", "cs", "--profile", "rho", "--out", "tubes.png")
+        pixels, count = colours(os.path.join(self.folder, "tubes.png"))
+        self.assertGreater(share(pixels, "#d55e00"), 1e-3)  # the exact line
+        self.assertIn("--out FILE.png", self.sphk("plot", "liq0.2", "cs", "--profile", "rho", code=2))
+
+    def test_the_papers_tables_come_as_csv_and_a_figure(self):
+        text = self.sphk("tables", "--out", "tables")
+        tables = ("s12-table-1", "r10-table-1", "v10-table-1", "s12-figure-1")
+        rows = {}
+        for name in tables:
+            with open(os.path.join(self.folder, "tables", name + ".csv"), encoding="utf-8") as file:
+                rows[name] = list(csv.DictReader(file))
+        self.assertEqual([len(rows[name]) for name in tables], [30, 24, 48, 6])
+        self.assertTrue(all(row["agrees"] == "yes" for row in rows["r10-table-1"]), "R10's digits")
+        lattice = [row for row in rows["s12-table-1"] if "simple" in row["row"]]
+        self.assertTrue(all(row["agrees"] == "yes" for row in lattice), "S12's lattice")
+        agreeing = sum(row["agrees"] == "yes" for name in tables for row in rows[name])
+        self.assertIn(f"{agreeing} of 108 printed values agree", text)
+        pixels = colours(os.path.join(self.folder, "tables", "kernels.png"))[0]
+        for colour in ("#0072b2", "#d55e00", "#009e73"):
+            self.assertGreater(share(pixels, colour), 1e-4, "a line a kernel")
+
     def test_stability_maps_have_stable_and_unstable_parts(self):
         text = self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "square", "--out", "maps")
         least = re.search(r"unstable: the least is (\S+);", text).group(1)
