@@ -10,25 +10,20 @@ namespace sphk {
 ///   E0_i =   sum_j (m_j/rho_j) [g_ij + 1/g_ij] h_i grad Wbar
 ///   R_i  = - sum_j (m_j/rho_j) f_ij S_ij
 ///   V_i  = - sum_j (m_j/rho_j) S_ij/g_ij,  S_ij = r Wbar' e_ij e_ij.
-/// Where forces use the kernels of both sides with grad-h in place of Wbar, the weights m_j/phi_j become m_j/phi_j +
-/// z_i (what z is: PressureGradientConservative) and each side has its own gradient; E0 is then what is left of the
-/// force of an even pressure, as it is in R10's. rho is the density of the equations of motion.
-struct ErrorTerms {
-  using Reads = List<Position, InverseSupport, Support, Mass, Density, InversePhi, InverseEta, GradHMass>;
+/// rho is the density of the equations of motion. Forces with grad-h are judged by the same sums, with their phi.
+struct ErrorTerms : PlainTerm {
+  using PlainTerm::PlainTerm;
+  using Reads = List<Position, InverseSupport, Support, Mass, Density, InversePhi, InverseEta>;
   using Adds = List<ErrorE0, ErrorR, ErrorV>;
-  static constexpr int flops = 80;
-  double own;  ///< 1 where each side's kernel counts, else 0
-  explicit ErrorTerms(const Parameters& p) : own(p.own_kernels ? 1 : 0) {}
+  static constexpr int flops = 60;
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;
-    const P mine = P(lane_t<P>(own)), mean = P(lane_t<P>(1 - own));
-    const auto grad_i = mine * ij.grad_W_i + mean * ij.grad_W, grad_j = mine * ij.grad_W_j + mean * ij.grad_W;
-    const P from_i = (j.m * j.phi_inv + i.z) / (i.phi_inv * i.rho);
-    const P from_j = j.m * (i.m * i.phi_inv + j.z) * i.rho / (i.m * j.phi_inv * j.rho * j.rho);
-    sum.E0 += i.h * (from_i * grad_i + from_j * grad_j);
-    add_matrix(sum.R, (j.m * j.eta_inv + i.z) / (i.eta_inv * i.rho), grad_i, ij.r_ij);
-    add_matrix(sum.V, from_j, grad_j, ij.r_ij);
+    const P one = lane_t<P>(1), V_j = j.m / j.rho;
+    const P g = j.rho * j.phi_inv / (i.rho * i.phi_inv), f = j.rho * j.eta_inv / (i.rho * i.eta_inv);
+    sum.E0 += (V_j * (g + one / g) * i.h) * ij.grad_W;
+    add_matrix(sum.R, V_j * f, ij.grad_W, ij.r_ij);
+    add_matrix(sum.V, V_j / g, ij.grad_W, ij.r_ij);
   }
 
  private:

@@ -15,7 +15,6 @@ namespace sphk {
 template <class FreePhi>
 struct PressureGradientCoherent : PlainTerm {
   using Phi = FreePhi;
-  static constexpr bool own_kernels = true;
   static constexpr const char* label = "Pressure";
   static constexpr const char* name = "pressure gradient, pseudo-coherent with grad-h (R10 footnote 4)";
   using PlainTerm::PlainTerm;

@@ -10,7 +10,6 @@ namespace sphk {
 /// ones): a_i = - sum_j [P_i/rho_i^2 (m_j + z_i) grad W(h_i) + (m_j/m_i) P_j/rho_j^2 (m_i + z_j) grad W(h_j)].
 struct PressureGradientConservative : PlainTerm {
   using Phi = One;
-  static constexpr bool own_kernels = true;
   static constexpr const char* label = "Pressure";
   static constexpr const char* name = "pressure gradient, conservative with grad-h (S12 eq B1, any masses)";
   using PlainTerm::PlainTerm;

@@ -29,7 +29,6 @@ struct Parameters {
   double alpha_conductivity = 1;     ///< V10's alpha_u
   bool signed_conductivity = false;  ///< V10 eq 5 in place of eq 3
   bool balsara = true;               ///< Balsara's factor limits the viscosity of the classic schemes
-  bool own_kernels = false;          ///< of both sides in the error terms, where the scheme's forces have them
   bool motion = true;                ///< particles move; else they keep their places and velocities
   double h_max = 0;                  ///< cap of the support radius
 };

@@ -9,8 +9,7 @@ namespace sphk {
 
 namespace detail {
 
-/// phi of a scheme's pressure term, eta of its continuity equation, and whether the density of its equations of motion
-/// is that of the latter.
+/// phi of a scheme's pressure term, eta of its continuity equation, and whether it has such an equation of its own.
 template <class Terms, class Steps>
 struct FreeFunctionsOf;
 template <class... Term, class... Pass>
@@ -18,7 +17,6 @@ struct FreeFunctionsOf<List<Term...>, Passes<Pass...>> {
   template <class... T>
   struct FirstPhi {
     using type = One;
-    static constexpr bool own_kernels = false;
   };
   template <class T, class... Rest>
   struct FirstPhi<T, Rest...> : FirstPhi<Rest...> {};
@@ -26,7 +24,6 @@ struct FreeFunctionsOf<List<Term...>, Passes<Pass...>> {
   requires requires { typename T::Phi; }
   struct FirstPhi<T, Rest...> {
     using type = typename T::Phi;
-    static constexpr bool own_kernels = requires { T::own_kernels; };
   };
   template <class... P>
   struct FirstEta {
@@ -43,7 +40,6 @@ struct FreeFunctionsOf<List<Term...>, Passes<Pass...>> {
   };
   using Phi = typename FirstPhi<Term...>::type;
   using Eta = typename FirstEta<Pass...>::type;
-  static constexpr bool own_kernels = FirstPhi<Term...>::own_kernels;
   static constexpr bool general_density = FirstEta<Pass...>::found;
 };
 
@@ -63,8 +59,6 @@ struct FillErrorColumns {
     out.template at<InversePhi>(i) = 1 / Phi::value(gas);
     out.template at<InverseEta>(i) = 1 / Eta::value(gas);
     out.template at<Entropy>(i) = gas.A;
-    if constexpr (contains<GradHMass, typename L::Fields>)
-      out.template at<GradHMass>(i) = state.template at<GradHMass>(i);
   }
 };
 
@@ -90,7 +84,7 @@ Field scalar_field(const HostRows& rows, std::string name, std::string descripti
 
 }  // namespace detail
 
-/// phi, eta, own_kernels and general_density of scheme S.
+/// Phi, Eta and general_density of scheme S.
 template <class S>
 using FreeFunctionsOf = detail::FreeFunctionsOf<typename S::RateTerms::List, typename S::Steps>;
 
@@ -103,7 +97,6 @@ std::vector<Field> error_fields(const Particles<typename S::Layout>& state, cons
   using Functions = FreeFunctionsOf<S>;
   Particles<ErrorLayout<D>> particles{state.n, Columns<D, typename ErrorLayout<D>::Fields>("errors", state.n),
                                       state.ids, state.tree, state.parameters};
-  particles.parameters.own_kernels = Functions::own_kernels;
   Kokkos::parallel_for(
       "columns for errors", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
       detail::FillErrorColumns<L, typename Functions::Phi, typename Functions::Eta>{state, particles.columns});

@@ -6,13 +6,11 @@
 namespace sphk {
 
 /// What the sums for the errors of a scheme read of its particles, in columns of their own: Density is that of the
-/// equations of motion, GradHMass zero where a scheme has none, velocities are left at zero. All schemes share these
+/// equations of motion, velocities are left at zero. All schemes share these
 /// sums.
 template <int D>
 using ErrorLayout =
-    Layout<D,
-           List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, GradHMass, Entropy>,
-           void>;
+    Layout<D, List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, Entropy>, void>;
 using ErrorTermSet = TermSet<ErrorTerms, NeighbourhoodTerms>;
 template <int D>
 using ErrorColumns = Columns<D, typename ErrorTermSet::Adds>;

@@ -88,7 +88,7 @@ class Figures(unittest.TestCase):
                       "--set", "output.errors=true", "--out", scheme)
         self.sphk("plot", "sph", "osph", "--errors", "--out", "errors.png")
         image = matplotlib.image.imread(os.path.join(self.folder, "errors.png"))
-        self.assertGreater(image.shape[1] / image.shape[0], 1.5)  # two rows of four panels
+        self.assertGreater(image.shape[1] / image.shape[0], 1.5)  # two rows of five panels
         self.assertGreater(share(colours(os.path.join(self.folder, "errors.png"))[0], "#0072b2"), 1e-4)  # means along y
         self.assertIn("output.errors=true", self.sphk("plot", "run", "--errors", "--out", "none.png", code=2))
 

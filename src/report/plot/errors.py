@@ -1,5 +1,5 @@
 """How well the particles sample their kernels, as R10 Fig. 4: a row a run with its density, the particles around the
-steepest place, |E0| and P along y."""
+steepest place, |E0| and P along y, and how far the nearest neighbours are."""
 
 import numpy as np
 from density_map import colour_norm, density_image, frame
@@ -59,6 +59,15 @@ def draw_along_y(axes, snapshot, value, label, logarithmic):
     axes.set(xlim=(low, low + size), ylabel=label)
 
 
+def draw_nearest(axes, snapshot):
+    """Distances of nearest neighbours in mean spacings: particles that clump fill the left."""
+    spacing = (snapshot.fields["m"] / snapshot.fields["rho"]) ** (1 / snapshot.item["dimension"])
+    known = snapshot.nearest > 0
+    axes.hist(snapshot.nearest[known] / spacing[known], bins=np.linspace(0, 1.5, 61), density=True, color=PARTICLES,
+              ec=MEAN, lw=0.5)
+    axes.set(xlim=(0, 1.5), ylabel="share of particles, per spacing")
+
+
 def shared_limits(panels, logarithmic):
     """One range for all runs, so that rows compare."""
     lows, highs = zip(*(axes.get_ylim() for axes in panels))
@@ -73,7 +82,7 @@ def draw_errors(snapshots, path):
     frames = [frame(snapshot) for snapshot in snapshots]
     images = [density_image(snapshot, *frames[k]) for k, snapshot in enumerate(snapshots)]
     norm = colour_norm(images)
-    figure, grid = plt.subplots(len(snapshots), 4, squeeze=False, figsize=(21, 4.7 * len(snapshots)),
+    figure, grid = plt.subplots(len(snapshots), 5, squeeze=False, figsize=(26, 4.7 * len(snapshots)),
                                 constrained_layout=True)
     for row, snapshot, (lower, size), image in zip(grid, snapshots, frames, images):
         item = snapshot.item
@@ -85,8 +94,10 @@ def draw_errors(snapshots, path):
         draw_close_up(row[1], snapshot, steepest_place(image, lower, size), ZOOM * size.max())
         draw_along_y(row[2], snapshot, np.sqrt((snapshot.E0**2).sum(1)), r"$|E_0|$", True)
         draw_along_y(row[3], snapshot, snapshot.fields["P"], LABELS["P"], False)
+        draw_nearest(row[4], snapshot)
     shared_limits(grid[:, 2], True)
     shared_limits(grid[:, 3], False)
-    for axes, label in zip(grid[-1], ("$x$", "$x$", "$y$", "$y$")):
+    labels = ("$x$", "$x$", "$y$", "$y$", "distance of the nearest neighbour")
+    for axes, label in zip(grid[-1], labels):
         axes.set_xlabel(label)
     save(figure, path)

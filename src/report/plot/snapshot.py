@@ -16,6 +16,7 @@ class Snapshot:
             self.x = gas["Coordinates"][...].astype(float)
             self.velocity = gas["Velocities"][...].astype(float)
             self.E0 = gas["E0"][...].astype(float) if "E0" in gas else None
+            self.nearest = gas["NearestNeighbour"][...].astype(float) if "NearestNeighbour" in gas else None
             self.fields = {name: gas[key][...] for name, key in DATASETS.items() if key in gas}
 
     def offset(self):
