@@ -64,6 +64,13 @@ void Shearing::declare(Settings& settings) const {
                     .choices = {},
                     .min = -1e6,
                     .max = 1e6});
+  settings.declare(
+      {.name = "scene.seed_reach",
+       .value = 0.025,
+       .doc = "how far from an interface it reaches, Price's 2008 for the same A and lambda; 0: everywhere",
+       .choices = {},
+       .min = 0,
+       .max = 1e6});
   settings.declare({.name = "scene.smoothing",
                     .value = std::string("columns"),
                     .doc = "of the density: none, along columns, or by rows between square grids (V10 sec 4.3)",
@@ -92,6 +99,7 @@ void Shearing::adapt(Settings& settings) const {
 LayeredFlow Shearing::flow(const Settings& settings) const {
   const bool sharp = settings.text("scene.smoothing") == "none";
   const double speed = settings.real("scene.mach") * std::sqrt(settings.real("sph.gamma") * pressure / contrast);
+  const double seed = settings.real("scene.seed"), reach = settings.real("scene.seed_reach");
   const auto inwards = [](double y) { return 0.25 - std::abs(y - 0.5); };
   return {.lower = 0,
           .pressure = pressure,
@@ -104,8 +112,11 @@ LayeredFlow Shearing::flow(const Settings& settings) const {
                 return 1 + (contrast - 1) * (sharp ? double(inwards(y) > 0) : arctan_step(inwards(y), boundary_width));
               },
           .v_x = [=](double y) { return inwards(y) > 0 ? speed : -speed; },
-          .v_y = [seed = settings.real("scene.seed")](
-                     double x, double) { return seed * std::sin(2 * std::numbers::pi / wavelength * x); }};
+          .v_y =
+              [=](double x, double y) {
+                const bool seeded = reach == 0 || std::abs(inwards(y)) < reach;
+                return seeded ? seed * std::sin(2 * std::numbers::pi / wavelength * x) : 0;
+              }};
 }
 
 /// As many particles as V10 have at n = 190: 199252 on two grids, 184100 on 350 columns.

@@ -64,7 +64,8 @@ TEST(Shearing, FlowIsV10s) {
   for (std::size_t i = 0; i < gas.size(); ++i) {
     const double inwards = 0.25 - std::abs(gas.x[i][1] - 0.5);
     ASSERT_NEAR(gas.v[i][0], inwards > 0 ? speed : -speed, 1e-12);
-    ASSERT_NEAR(gas.v[i][1], 0.025 * std::sin(12 * M_PI * gas.x[i][0]), 1e-12);
+    const bool seeded = std::abs(inwards) < 0.025;  // Price (2008), whose A and lambda V10 take
+    ASSERT_NEAR(gas.v[i][1], seeded ? 0.025 * std::sin(12 * M_PI * gas.x[i][0]) : 0, 1e-12);
     if (std::abs(inwards) > 0.04) ASSERT_NEAR(gas.u[i], inwards > 0 ? 1.5 : 15, 1e-9);
   }
 }
