@@ -39,6 +39,7 @@ const auto registered = [] {
   add("sph_cs_48", "sph", "cs", 48, "mixed", {64});
   for (const char* precision : {"mixed", "double"}) {
     add("sph_hoct4_442", "sph", "hoct4", 442, precision, {64});
+    add("osph_hoct4_442", "osph", "hoct4", 442, precision, {64});
     add("sphs_hoct4_442", "sphs", "hoct4", 442, precision, {64});
   }
   add("tsph_wc6_table_442", "tsph", "wc6", 442, "mixed", {32});

@@ -56,10 +56,12 @@ struct FillErrorColumns {
     out.template at<Support>(i) = h;
     out.template at<InverseSupport>(i) = 1 / h;
     out.template at<Density>(i) = gas.rho;
-    out.template at<InversePhi>(i) = 1 / Phi::value(gas);
-    out.template at<InverseEta>(i) = 1 / Eta::value(gas);
+    out.template at<InversePhi>(i) = positive(1 / Phi::value(gas));
+    out.template at<InverseEta>(i) = positive(1 / Eta::value(gas));
     out.template at<Entropy>(i) = gas.A;
   }
+  /// Of gas without heat 1/u is infinite: a ratio of such particles is 1 then, not NaN.
+  KOKKOS_INLINE_FUNCTION static double positive(double x) { return max(x, 1e-150); }
 };
 
 /// A symmetric matrix as xx, yy, zz, xy, xz, yz; those of the axes that there are, the others zero.

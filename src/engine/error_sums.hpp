@@ -6,8 +6,7 @@
 namespace sphk {
 
 /// What the sums for the errors of a scheme read of its particles, in columns of their own: Density is that of the
-/// equations of motion, velocities are left at zero. All schemes share these
-/// sums.
+/// equations of motion, velocities are left at zero. All schemes share these sums.
 template <int D>
 using ErrorLayout =
     Layout<D, List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, Entropy>, void>;

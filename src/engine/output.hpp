@@ -31,6 +31,10 @@ template <class S>
 inline constexpr double flops_of_fit = flops_of_distance(S::dimension) + 2 * S::Kernel::flops + 8 + S::dimension +
                                        3 * Monomials<S::dimension>::basis + 2 * Monomials<S::dimension>::count
                                        + S::dimension*(2 * Monomials<S::dimension>::basis + 2);
+/// Distance, both kernels, one product and sum.
+template <class S>
+inline constexpr double flops_of_general_density = flops_of_distance(S::dimension) +
+                                                   2 * (S::Kernel::flops + S::dimension + 1) + 5;
 template <class S>
 inline constexpr double flops_of_rates = flops_of_distance(S::dimension) +
                                          2 * (S::Kernel::flops + S::dimension + 3) + S::RateTerms::flops + 4;
@@ -38,8 +42,10 @@ inline constexpr double flops_of_rates = flops_of_distance(S::dimension) +
 /// Flops of one pair in a step.
 template <class S>
 constexpr double flops_per_pair() {
-  constexpr bool fits = contains<GradVelocityDivergence, typename S::Fields>;
-  return flops_of_search<S> + flops_of_density_terms<S> + (fits ? flops_of_fit<S> : 0) + flops_of_rates<S>;
+  constexpr bool fits = contains<GradVelocityDivergence, typename S::Fields>,
+                 generalised = contains<GeneralDensity, typename S::Fields>;
+  return flops_of_search<S> + flops_of_density_terms<S> + (fits ? flops_of_fit<S> : 0) +
+         (generalised ? flops_of_general_density<S> : 0) + flops_of_rates<S>;
 }
 
 /// Throws NumericsError naming the particle when the next time-step is not positive.
