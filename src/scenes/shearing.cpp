@@ -64,13 +64,12 @@ void Shearing::declare(Settings& settings) const {
                     .choices = {},
                     .min = -1e6,
                     .max = 1e6});
-  settings.declare(
-      {.name = "scene.seed_reach",
-       .value = 0.025,
-       .doc = "how far from an interface it reaches, Price's 2008 for the same A and lambda; 0: everywhere",
-       .choices = {},
-       .min = 0,
-       .max = 1e6});
+  settings.declare({.name = "scene.seed_reach",
+                    .value = 0.0,
+                    .doc = "how far from an interface it reaches; 0: everywhere, as V10 print it (Price 2008: 0.025)",
+                    .choices = {},
+                    .min = 0,
+                    .max = 1e6});
   settings.declare({.name = "scene.smoothing",
                     .value = std::string("columns"),
                     .doc = "of the density: none, along columns, or by rows between square grids (V10 sec 4.3)",
