@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/cli/problem.hpp"
+#include "src/study/points.hpp"
 
 namespace sphk {
 
@@ -44,6 +45,17 @@ struct StabilityOptions {
   std::optional<std::filesystem::path> out;  ///< folder of the maps
 };
 
+struct StudyOptions {
+  std::string scene;
+  std::vector<StudyAxis> axes;                              ///< what differs from point to point
+  std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
+  std::string norm = "v";
+  double target = 0;       ///< an error to reach; 0: none
+  double max_seconds = 0;  ///< start no further point after so many; 0: no limit
+  int repeat = 1, threads = 0;
+  std::optional<std::filesystem::path> out;
+};
+
 struct TablesOptions {
   std::optional<std::filesystem::path> out;  ///< folder of CSV files and the kernels' figure
 };
@@ -59,6 +71,8 @@ int info_command(const std::string& file);
 int rates_command(const RatesOptions& options);
 /// Linear waves of a kernel and neighbour number on a lattice (R10 sec 3).
 int stability_command(const StabilityOptions& options);
+/// Error against run time over every combination of schemes, kernels, resolutions, ...
+int study_command(const StudyOptions& options);
 /// The papers' tables, computed, beside what they print.
 int tables_command(const TablesOptions& options);
 int ic_check_command(const std::string& file);

@@ -26,6 +26,7 @@ from kernels import draw_kernels
 from profiles import draw_one_field, draw_profiles
 from snapshot import Snapshot
 from stability import draw_stability
+from study import draw_study
 
 
 def has_map(item):
@@ -40,6 +41,9 @@ def main():
         return
     if work.get("conservation"):
         draw_conservation(work["conservation"], work["out"])
+        return
+    if work.get("study"):
+        draw_study(work)
         return
     if work.get("kernels"):
         draw_kernels(work["kernels"], work["out"])

@@ -1,0 +1,218 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "src/cli/commands.hpp"
+#include "src/cli/platform.hpp"
+#include "src/cli/plot_script.hpp"
+#include "src/cli/problem.hpp"
+#include "src/engine/errors.hpp"
+#include "src/report/machine.hpp"
+#include "src/report/quantity.hpp"
+#include "src/report/text_file.hpp"
+#include "src/study/results.hpp"
+
+extern char** environ;
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Exit code of this executable with these arguments, its output in `log`.
+int run_self(const std::vector<std::string>& arguments, const fs::path& log) {
+  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
+  pid_t child = 0;
+  const int error = posix_spawn(&child, words[0].c_str(), &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw InputError(fmt::format("cannot start {}", words[0]));
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+Json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  return Json::parse(file, nullptr, false);
+}
+
+/// The last line of a run's log that says error, or the last line at all.
+std::string reason_in(const fs::path& log) {
+  std::ifstream file(log);
+  std::string line, last;
+  while (std::getline(file, line))
+    if (line.starts_with("error:"))
+      return line.substr(7);
+    else if (!line.empty())
+      last = line;
+  return last.empty() ? "no output" : last;
+}
+
+/// A study on disk: what was asked, and every run's run.json by the name of its point.
+struct Record {
+  fs::path file;
+  Json json;
+
+  bool has(const StudyPoint& point) const { return json["points"].contains(point.name()); }
+  void save() const { write_text(file, json.dump(1) + "\n"); }
+};
+
+Record open_record(const StudyOptions& options, const fs::path& folder) {
+  Record record{folder / "study.json", {}};
+  if (fs::exists(record.file)) {
+    record.json = read_json(record.file);
+    if (record.json.is_discarded() || record.json.value("scene", "") != options.scene)
+      throw InputError(
+          fmt::format("{} holds no study of {}: name another folder with --out", record.file.string(), options.scene));
+    return record;
+  }
+  record.json = {{"scene", options.scene},       {"machine", machine_name()},
+                 {"version", build().version},   {"git_revision", build().git_revision},
+                 {"compiler", build().compiler}, {"points", Json::object()}};
+  return record;
+}
+
+std::vector<std::string> arguments_of(const StudyOptions& options, const StudyPoint& point, const fs::path& folder) {
+  std::vector<std::string> arguments{"run", options.scene, "--out", folder.string(), "--overwrite"};
+  const auto set = [&](const std::string& key, const std::string& value) {
+    arguments.insert(arguments.end(), {"--set", key + "=" + value});
+  };
+  set("output.snapshots", "1");
+  for (const auto& [key, value] : options.fixed) set(key, value);
+  for (const auto& [key, value] : point.keys) set(key, value);
+  if (options.threads > 0) arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
+  return arguments;
+}
+
+/// Runs a point as often as asked; what it found goes into the record.
+void run_point(const StudyOptions& options, const StudyPoint& point, Record& record) {
+  const fs::path folder = record.file.parent_path() / "points" / point.name();
+  fs::create_directories(folder.parent_path());
+  const fs::path log = folder.string() + ".log";
+  Json runs = Json::array();
+  std::string failure;
+  for (int repeat = 0; repeat < options.repeat && failure.empty(); ++repeat) {
+    const int code = run_self(arguments_of(options, point, folder), log);
+    if (code == ExitCode::stopped) throw InputError("stopped; the same command goes on where it was");
+    if (code == ExitCode::done)
+      runs.push_back(read_json(folder / "run.json"));
+    else
+      failure = reason_in(log);
+  }
+  for (const auto& entry : fs::directory_iterator(folder.parent_path()))
+    if (entry.path() == folder) {
+      for (const auto& file : fs::directory_iterator(folder))
+        if (file.path().extension() == ".hdf5") fs::remove(file.path());
+    }
+  Json keys = Json::object();
+  for (const auto& [key, value] : point.keys) keys[key] = value;
+  record.json["points"][point.name()] = {{"keys", keys}, {"failure", failure}, {"runs", runs}};
+  record.save();
+}
+
+StudyResult result_of(const StudyPoint& point, const Json& entry, const std::string& norm) {
+  StudyResult r;
+  r.point = point;
+  r.failure = entry.value("failure", "");
+  if (!r.failure.empty()) return r;
+  const Json& first = entry["runs"][0];
+  r.n = first["n"], r.particles = first["particles"], r.steps = first["steps"];
+  r.updates = first["updates"], r.pairs = first["pair_interactions"], r.bytes = first["peak_memory_bytes"];
+  r.energy_drift = first["conservation"]["energy"];
+  r.wall = r.cpu = 1e300;
+  for (const Json& run : entry["runs"]) {
+    r.wall = std::min<double>(r.wall, run["wall_seconds"]);
+    r.cpu = std::min<double>(r.cpu, run["cpu_seconds"]);
+  }
+  if (first["errors"].contains(norm))
+    r.error = first["errors"][norm]["l1"];
+  else
+    r.failure = first["errors"].empty() ? "the scene has no exact solution"
+                                        : fmt::format("no norm of \"{}\"; choose another with --norm", norm);
+  return r;
+}
+
+void write_csv(const fs::path& path, const std::vector<StudyResult>& results) {
+  std::string csv =
+      "method,n,particles,error,energy_drift,steps,wall_seconds,cpu_seconds,updates,pairs,memory,failure\n";
+  for (const StudyResult& r : results)
+    csv +=
+        fmt::format("\"{}\",{},{},{:.9g},{:.3g},{},{:.6g},{:.6g},{},{},{},\"{}\"\n", r.point.method(), r.n, r.particles,
+                    r.error, r.energy_drift, r.steps, r.wall, r.cpu, r.updates, r.pairs, r.bytes, r.failure);
+  write_text(path, csv);
+}
+
+void draw(const fs::path& path, const StudyOptions& options, const std::vector<StudyResult>& results) {
+  Json lines = Json::array();
+  for (const auto& group : by_method(results)) {
+    Json line = {{"method", group[0].point.method()}, {"points", Json::array()}};
+    const auto order = fitted_order(group);
+    line["order"] = order ? Json(*order) : Json(nullptr);
+    for (const StudyResult& r : group)
+      line["points"].push_back(
+          {{"n", r.n}, {"error", r.error}, {"cpu", r.cpu}, {"pairs", r.pairs}, {"drift", r.energy_drift}});
+    lines.push_back(line);
+  }
+  if (lines.empty()) return;
+  run_plot_script(Json{
+      {"study", lines},
+      {"norm", options.norm},
+      {"title", fmt::format("{} on {}", options.scene, machine_name())},
+      {"target", options.target},
+      {"out",
+       path.string()}}.dump());
+}
+
+}  // namespace
+
+int study_command(const StudyOptions& options) {
+  const std::vector<StudyPoint> points = product_of(options.axes);
+  const fs::path folder = options.out.value_or(options.scene + "-study");
+  fs::create_directories(folder);
+  Record record = open_record(options, folder);
+  const auto waiting = std::ranges::count_if(points, [&](const StudyPoint& p) { return !record.has(p); });
+  fmt::print("{} points of {}, {} of them to run, {} times each, in {}\n", points.size(), options.scene, waiting,
+             options.repeat, folder.string());
+  const Stopwatch watch;
+  std::size_t done = 0;
+  for (const StudyPoint& point : points) {
+    ++done;
+    if (record.has(point)) continue;
+    if (options.max_seconds > 0 && watch.wall() > options.max_seconds) {
+      fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", options.max_seconds);
+      break;
+    }
+    fmt::print("[{}/{}] {} n = {} ...", done, points.size(), point.method(), point.value(resolution_key));
+    std::fflush(stdout);
+    const double start = watch.wall();
+    run_point(options, point, record);
+    fmt::print(" {}\n", duration_text(watch.wall() - start));
+  }
+  std::vector<StudyResult> results;
+  for (const StudyPoint& point : points)
+    if (record.has(point)) results.push_back(result_of(point, record.json["points"][point.name()], options.norm));
+  fmt::print("\n{}", study_table(results, options.norm));
+  if (options.target > 0) fmt::print("{}", target_lines(results, options.target));
+  write_csv(folder / "study.csv", results);
+  draw(folder / "study.png", options, results);
+  return ExitCode::done;
+}
+
+}  // namespace sphk

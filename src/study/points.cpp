@@ -1,0 +1,44 @@
+#include "src/study/points.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace sphk {
+
+std::string StudyPoint::value(const std::string& key) const {
+  const auto entry = std::ranges::find(keys, key, &std::pair<std::string, std::string>::first);
+  return entry == keys.end() ? "" : entry->second;
+}
+
+std::string StudyPoint::method() const {
+  std::string label;
+  for (const auto& [key, text] : keys)
+    if (key != resolution_key) label += (label.empty() ? "" : " ") + text;
+  return label.empty() ? "the scene's own" : label;
+}
+
+std::string StudyPoint::name() const {
+  std::string text;
+  for (const auto& [key, value] : keys)
+    text += (text.empty() ? "" : "_") + key.substr(key.rfind('.') + 1) + "-" + value;
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '_') c = '_';
+  return text.empty() ? "point" : text;
+}
+
+std::vector<StudyPoint> product_of(const std::vector<StudyAxis>& axes) {
+  std::vector<StudyPoint> points{{}};
+  for (const StudyAxis& axis : axes) {
+    if (axis.values.empty()) continue;
+    std::vector<StudyPoint> longer;
+    for (const StudyPoint& point : points)
+      for (const std::string& value : axis.values) {
+        longer.push_back(point);
+        longer.back().keys.emplace_back(axis.key, value);
+      }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+}  // namespace sphk
