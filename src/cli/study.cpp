@@ -101,6 +101,16 @@ std::vector<std::string> arguments_of(const StudyOptions& options, const StudyPo
   return arguments;
 }
 
+/// Throws InputError where a point's keys are none, before anything runs.
+void check(const StudyOptions& options, const std::vector<StudyPoint>& points) {
+  for (const StudyPoint& point : points) {
+    std::vector<Override> keys;
+    for (const auto* list : {&options.fixed, &point.keys})
+      for (const auto& [key, value] : *list) keys.push_back({key, value, key + "=" + value});
+    resolve_problem(options.scene, keys);
+  }
+}
+
 /// Runs a point as often as asked; what it found goes into the record.
 void run_point(const StudyOptions& options, const StudyPoint& point, Record& record) {
   const fs::path folder = record.file.parent_path() / "points" / point.name();
@@ -184,6 +194,7 @@ void draw(const fs::path& path, const StudyOptions& options, const std::vector<S
 
 int study_command(const StudyOptions& options) {
   const std::vector<StudyPoint> points = product_of(options.axes);
+  check(options, points);
   const fs::path folder = options.out.value_or(options.scene + "-study");
   fs::create_directories(folder);
   Record record = open_record(options, folder);

@@ -118,6 +118,22 @@ class Figures(unittest.TestCase):
         for colour in ("#0072b2", "#d55e00", "#009e73"):
             self.assertGreater(share(pixels, colour), 1e-4, "a line a kernel")
 
+    def test_a_study_gives_a_table_a_figure_and_goes_on_where_it_was(self):
+        study = ("study", "sod", "-n", "8,16", "--scheme", "sph,gadget2", "--set", "scene.dimension=1", "--target", "0.2",
+                 "--out", "study")
+        text = self.sphk(*study)
+        self.assertIn("4 points of sod, 4 of them to run", text)
+        self.assertIn("CPU seconds to an error of 0.2", text)
+        self.assertIn("4 points of sod, 0 of them to run", self.sphk(*study))
+        self.assertIn("1 of them to run", self.sphk(*study[:3], "8,16,24", "--scheme", "sph", *study[6:]))
+        with open(os.path.join(self.folder, "study", "study.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["n"] for row in rows], ["8", "16", "24"])
+        self.assertTrue(all(float(row["error"]) > 0 and float(row["cpu_seconds"]) > 0 for row in rows))
+        self.assertGreater(share(colours(os.path.join(self.folder, "study", "study.png"))[0], "#0072b2"), 1e-4)
+        self.assertIn("gadget2", self.sphk("study", "sod", "--scheme", "gadget", "--out", "bad", code=2))
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "bad")), "nothing runs where a name is wrong")
+
     def test_stability_maps_have_stable_and_unstable_parts(self):
         text = self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "square", "--out", "maps")
         least = re.search(r"unstable: the least is (\S+);", text).group(1)

@@ -1,6 +1,7 @@
 """Error against run time: four panels of a study, a line a method."""
 
 import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from style import LINES, MARKERS, plt, save
 
 
@@ -17,6 +18,14 @@ def pareto(points):
 def draw_line(axes, points, x, y, look):
     points = sorted(points, key=lambda p: p[x])
     axes.plot([p[x] for p in points], [p[y] for p in points], **look)
+
+
+def plain_ticks(axis, low, high):
+    """Numbers as they are read, 1, 2 and 5 of a decade where there are few decades."""
+    few = np.log10(max(high / max(low, 1e-300), 1)) < 2.5
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if few else (1,)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def draw_study(work):
@@ -41,8 +50,8 @@ def draw_study(work):
     for axes, x, y in ((seconds, error, "CPU seconds"), (order, "particles along the box, n", error),
                        (pairs, "pair interactions", error), (drift, "particles along the box, n", "drift of energy")):
         axes.set(xlabel=x, ylabel=y, xscale="log", yscale="log")
-    if not any(point["drift"] > 0 for line in lines for point in line["points"]):
-        drift.set_yscale("linear")
+        plain_ticks(axes.xaxis, *axes.get_xlim())
+        plain_ticks(axes.yaxis, *axes.get_ylim())
     seconds.legend()
     order.legend()
     figure.suptitle(work["title"], fontsize=15)
