@@ -15,7 +15,7 @@ template <int D>
 using ErrorColumns = Columns<D, typename ErrorTermSet::Adds>;
 
 /// E0, R, V, the largest ratio of entropies and the nearest neighbour of every particle, in double. Defined in
-/// src/schemes/core_errors.cpp, for the kernels that schemes have.
+/// error_loops.hpp, compiled for the kernels of the schemes in src/schemes/core_errors.cpp.
 template <int D, class K>
 ErrorColumns<D> error_sums(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
 
