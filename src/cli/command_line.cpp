@@ -9,6 +9,7 @@
 
 #include "src/cli/commands.hpp"
 #include "src/cli/platform.hpp"
+#include "src/cli/study_options.hpp"
 #include "src/engine/errors.hpp"
 
 namespace sphk {
@@ -148,42 +149,6 @@ void add_stability(CLI::App& root, Options& o) {
       "  sphk stability --kernel cs --neighbours 32 --lattice square --out maps");
 }
 
-/// An option whose values, with commas between them, are an axis of a study.
-void axis(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& doc) {
-  app.add_option_function<std::vector<std::string>>(
-         name, [&o, key](const std::vector<std::string>& values) { o.study.axes.push_back({key, values}); },
-         fmt::format("{} (key {})", doc, key))
-      ->delimiter(',')
-      ->type_name("A,B,...")
-      ->expected(1, 1000)
-      ->allow_extra_args(false);
-}
-
-void add_study(CLI::App& root, Options& o) {
-  CLI::App& app = *root.add_subcommand("study", "error against run time, over every combination of what is listed");
-  app.add_option("scene", o.study.scene, "a scene with an exact solution")->required();
-  axis(app, o, "--scheme", "sph.scheme", "schemes");
-  axis(app, o, "--kernel", "sph.kernel", "smoothing kernels");
-  axis(app, o, "--neighbours", "sph.neighbours", "neighbour numbers");
-  axis(app, o, "--precision", "sph.precision", "pair arithmetic");
-  axis(app, o, "--cfl", "time.courant", "Courant numbers");
-  axis(app, o, "-n,--resolution", resolution_key, "resolutions");
-  app.add_option("--set", o.sets, "set a key of all runs; once for each key")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--repeat", o.study.repeat, "runs of each point; the fastest counts")->check(CLI::Range(1, 1000));
-  app.add_option("--norm", o.study.norm, "the quantity whose error counts; default: v")->type_name("FIELD");
-  app.add_option("--target", o.study.target, "an error: how long until it is reached?")->check(CLI::PositiveNumber);
-  app.add_option("--max-time", o.study.max_seconds, "start no run after so many seconds")->check(CLI::PositiveNumber);
-  app.add_option("--threads", o.study.threads, "threads of each run")->check(CLI::Range(1, 65536));
-  app.add_option("--out", o.out, "folder of the study; default: SCENE-study. What it holds already is not run again");
-  app.footer(
-      "Example:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n\n"
-      "The folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
-}
-
 void add_tables(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("tables", "the papers' tables, computed, beside what they print");
   add_threads(app, o);
@@ -272,7 +237,8 @@ Request parse_command_line(int argc, char** argv) {
   add_plot(root, *options);
   add_rates(root, *options);
   add_stability(root, *options);
-  add_study(root, *options);
+  add_study_options(*root.add_subcommand("study", "error against run time, over every combination of what is listed"),
+                    options->study, options->sets, options->out);
   add_tables(root, *options);
   root.footer(
       "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"

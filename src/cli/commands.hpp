@@ -46,12 +46,12 @@ struct StabilityOptions {
 };
 
 struct StudyOptions {
-  std::string scene;
-  std::vector<StudyAxis> axes;                              ///< what differs from point to point
+  std::string scene;                                       ///< or a preset's name
+  std::vector<StudyAxis> axes;                             ///< what differs from point to point
   std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
-  std::string norm = "v";
-  double target = 0;       ///< an error to reach; 0: none
-  double max_seconds = 0;  ///< start no further point after so many; 0: no limit
+  std::string norm;                                        ///< empty: v, or the preset's
+  double target = 0;                                       ///< an error to reach; 0: none
+  double max_seconds = 0;                                  ///< start no further point after so many; 0: no limit
   int repeat = 1, threads = 0;
   std::optional<std::filesystem::path> out;
 };

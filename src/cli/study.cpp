@@ -16,6 +16,7 @@
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
 #include "src/report/text_file.hpp"
+#include "src/study/presets.hpp"
 #include "src/study/results.hpp"
 
 extern char** environ;
@@ -192,8 +193,23 @@ void draw(const fs::path& path, const StudyOptions& options, const std::vector<S
 
 }  // namespace
 
-int study_command(const StudyOptions& options) {
-  const std::vector<StudyPoint> points = product_of(options.axes);
+int study_command(const StudyOptions& given) {
+  StudyOptions options = given;
+  std::vector<StudyPoint> points = product_of(options.axes);
+  const auto& presets = study_presets();
+  const auto preset = std::ranges::find(presets, options.scene, &StudyPreset::name);
+  if (preset != presets.end()) {
+    if (!options.axes.empty())
+      throw InputError(fmt::format("{} is a preset and says what it runs; name its scene, {}, to choose yourself",
+                                   preset->name, preset->scene));
+    points = preset->points;
+    options.fixed.insert(options.fixed.begin(), preset->fixed.begin(), preset->fixed.end());
+    options.scene = preset->scene;
+    if (options.norm.empty()) options.norm = preset->norm;
+    if (options.target == 0) options.target = preset->target;
+    if (!options.out) options.out = preset->name;
+  }
+  if (options.norm.empty()) options.norm = "v";
   check(options, points);
   const fs::path folder = options.out.value_or(options.scene + "-study");
   fs::create_directories(folder);

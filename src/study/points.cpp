@@ -12,8 +12,11 @@ std::string StudyPoint::value(const std::string& key) const {
 
 std::string StudyPoint::method() const {
   std::string label;
-  for (const auto& [key, text] : keys)
-    if (key != resolution_key) label += (label.empty() ? "" : " ") + text;
+  for (const auto& [key, text] : keys) {
+    if (key == resolution_key) continue;
+    const bool speaks = key == "sph.scheme" || key == "sph.kernel" || key == "sph.neighbours" || key == "sph.precision";
+    label += (label.empty() ? "" : " ") + (speaks ? text : key + "=" + text);
+  }
   return label.empty() ? "the scene's own" : label;
 }
 

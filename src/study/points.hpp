@@ -18,7 +18,7 @@ struct StudyPoint {
 
   /// The value of a key; empty where the study does not vary it.
   std::string value(const std::string& key) const;
-  /// All values but the resolution's, as one label: "sphs hoct4 442".
+  /// All values but the resolution's, as one label: "sphs hoct4 442", with the key where a value alone says little.
   std::string method() const;
   /// Unlike for unlike points, and a folder's name.
   std::string name() const;

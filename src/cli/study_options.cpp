@@ -1,0 +1,85 @@
+#include "src/cli/study_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "src/engine/errors.hpp"
+#include "src/study/presets.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// An option whose values, with commas between them, are an axis of a study.
+void axis(CLI::App& app, StudyOptions& study, const std::string& name, const std::string& key, const std::string& doc) {
+  app.add_option_function<std::vector<std::string>>(
+         name,
+         [&study, key](const std::vector<std::string>& values) {
+           study.axes.push_back({key, values});
+         },
+         fmt::format("{} (key {})", doc, key))
+      ->delimiter(',')
+      ->type_name("A,B,...")
+      ->expected(1, 1000)
+      ->allow_extra_args(false);
+}
+
+/// KEY=A,B,... as an axis.
+StudyAxis axis_of(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos)
+    throw InputError(fmt::format("--vary {}: write KEY=A,B,..., such as viscosity.alpha=0.5,1", text));
+  StudyAxis axis{text.substr(0, equals), {}};
+  std::string value;
+  for (std::istringstream values(text.substr(equals + 1)); std::getline(values, value, ',');)
+    axis.values.push_back(value);
+  return axis;
+}
+
+std::string preset_lines() {
+  std::string text;
+  for (const StudyPreset& preset : study_presets()) text += fmt::format("  {:<20} {}\n", preset.name, preset.summary);
+  return text;
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out) {
+  app.add_option("scene", study.scene, "a scene with an exact solution, or a preset")->required();
+  axis(app, study, "--scheme", "sph.scheme", "schemes");
+  axis(app, study, "--kernel", "sph.kernel", "smoothing kernels");
+  axis(app, study, "--neighbours", "sph.neighbours", "neighbour numbers");
+  axis(app, study, "--precision", "sph.precision", "pair arithmetic");
+  axis(app, study, "--cfl", "time.courant", "Courant numbers");
+  axis(app, study, "-n,--resolution", resolution_key, "resolutions");
+  app.add_option_function<std::vector<std::string>>(
+         "--vary",
+         [&study](const std::vector<std::string>& texts) {
+           for (const auto& text : texts) study.axes.push_back(axis_of(text));
+         },
+         "any other key and its values")
+      ->type_name("KEY=A,B,...")
+      ->type_size(1)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--set", sets, "set a key of all runs; once for each key")
+      ->type_name("KEY=VALUE")
+      ->type_size(1)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--repeat", study.repeat, "runs of each point; the fastest counts")->check(CLI::Range(1, 1000));
+  app.add_option("--norm", study.norm, "the quantity whose error counts; default: v")->type_name("FIELD");
+  app.add_option("--target", study.target, "an error: how long until it is reached?")->check(CLI::PositiveNumber);
+  app.add_option("--max-time", study.max_seconds, "start no run after so many seconds")->check(CLI::PositiveNumber);
+  app.add_option("--threads", study.threads, "threads of each run")->check(CLI::Range(1, 65536));
+  app.add_option("--out", out, "folder of the study; default: SCENE-study. What it holds already is not run again");
+  app.footer(
+      "Examples:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n"
+      "  sphk study kernel-choice\n\nPresets:\n" +
+      preset_lines() +
+      "\nThe folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
+}
+
+}  // namespace sphk
