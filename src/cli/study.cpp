@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/platform.hpp"
@@ -112,6 +113,35 @@ void check(const StudyOptions& options, const std::vector<StudyPoint>& points) {
   }
 }
 
+/// Seconds that a run of the point will take, from a trial of three steps; 0 where the trial fails.
+double expected_seconds(const StudyOptions& options, const StudyPoint& point, const fs::path& folder) {
+  std::vector<std::string> arguments = arguments_of(options, point, folder / "trial");
+  arguments.push_back("--dry-run");
+  if (run_self(arguments, folder / "trial.log") != ExitCode::done) return 0;
+  std::ifstream file(folder / "trial.log");
+  const std::string log{std::istreambuf_iterator<char>(file), {}};
+  std::smatch steps, seconds;
+  if (!std::regex_search(log, steps, std::regex("steps +about ([0-9]+)")) ||
+      !std::regex_search(log, seconds, std::regex("\\(([0-9.e+-]+) s a step")))
+    return 0;
+  return std::stod(steps[1]) * std::stod(seconds[1]);
+}
+
+/// Tells how many points are to run and about how long that takes.
+void announce(const StudyOptions& options, const std::vector<StudyPoint>& points, const Record& record) {
+  double expected = 0;
+  int waiting = 0;
+  for (const StudyPoint& point : points) {
+    if (record.has(point)) continue;
+    ++waiting;
+    expected += options.repeat * expected_seconds(options, point, record.file.parent_path());
+  }
+  fmt::print("{} points of {}, {} of them to run, {} times each, in {}{}\n", points.size(), options.scene, waiting,
+             options.repeat, record.file.parent_path().string(),
+             waiting > 0 ? "; about " + duration_text(expected) : "");
+  fs::remove(record.file.parent_path() / "trial.log");
+}
+
 /// Runs a point as often as asked; what it found goes into the record.
 void run_point(const StudyOptions& options, const StudyPoint& point, Record& record) {
   const fs::path folder = record.file.parent_path() / "points" / point.name();
@@ -214,9 +244,7 @@ int study_command(const StudyOptions& given) {
   const fs::path folder = options.out.value_or(options.scene + "-study");
   fs::create_directories(folder);
   Record record = open_record(options, folder);
-  const auto waiting = std::ranges::count_if(points, [&](const StudyPoint& p) { return !record.has(p); });
-  fmt::print("{} points of {}, {} of them to run, {} times each, in {}\n", points.size(), options.scene, waiting,
-             options.repeat, folder.string());
+  announce(options, points, record);
   const Stopwatch watch;
   std::size_t done = 0;
   for (const StudyPoint& point : points) {

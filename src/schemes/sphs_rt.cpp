@@ -1,5 +1,5 @@
 #include "kernels/passes/rt_pressure.hpp"
-#include "src/schemes/instantiate.hpp"
+#include "src/schemes/every_dimension.hpp"
 #include "src/schemes/sphs.hpp"
 
 namespace sphk {
@@ -16,10 +16,7 @@ struct SphsRt : Scheme<D, K, T, EntropyForm, TermSet<>,
 }  // namespace
 
 Instantiations sphs_rt() {
-  Instantiations rows = instantiate<SphsRt, 3>("sphs-rt", "entropy", List<Hoct<4>>{});
-  for (Instantiation& row : instantiate<SphsRt, 2>("sphs-rt", "entropy", List<>{})) rows.push_back(row);
-  for (Instantiation& row : instantiate<SphsRt, 1>("sphs-rt", "entropy", List<>{})) rows.push_back(row);
-  return rows;
+  return in_every_dimension<SphsRt>("sphs-rt", "entropy", List<Hoct<4>>{});
 }
 
 }  // namespace sphk

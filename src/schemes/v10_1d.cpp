@@ -1,15 +1,13 @@
-#include "src/schemes/instantiate.hpp"
+#include "src/schemes/every_dimension.hpp"
 #include "src/schemes/v10.hpp"
 
 namespace sphk {
 
 Instantiations v10_1d() {
-  Instantiations rows = instantiate<V10, 1>("v10", "entropy", List<>{});
-  for (const Instantiations& some : {instantiate<V10Plain, 1>("v10-plain", "entropy", List<>{}),
-                                     instantiate<V10Smoothed, 1>("v10-smoothed", "entropy", List<>{}),
-                                     instantiate<V10Relaxation, 1>("relaxation", "energy", List<>{})})
-    rows.insert(rows.end(), some.begin(), some.end());
-  return rows;
+  return joined({instantiate<V10, 1>("v10", "entropy", List<>{}),
+                 instantiate<V10Plain, 1>("v10-plain", "entropy", List<>{}),
+                 instantiate<V10Smoothed, 1>("v10-smoothed", "entropy", List<>{}),
+                 instantiate<V10Relaxation, 1>("relaxation", "energy", List<>{})});
 }
 
 }  // namespace sphk
