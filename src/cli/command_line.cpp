@@ -214,6 +214,12 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
   if (name == "study") {
     for (const Override& fixed : overrides(*o)) o->study.fixed.emplace_back(fixed.name, fixed.text);
     o->study.out = path_of(o->out);
+    const auto& what = o->study.what;
+    if (what[0] == "compare" && what.size() == 3)
+      return plain([o] { return study_compare_command(o->study.what[1], o->study.what[2], o->study.norm); });
+    if (what[0] == "compare" || what.size() > 1)
+      throw InputError("sphk study takes one scene or preset, or the word compare and two studies");
+    o->study.scene = what[0];
     return plain([o] { return study_command(o->study); });
   }
   if (name == "tables") return computing([o] { return tables_command({path_of(o->out)}); });

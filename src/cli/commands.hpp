@@ -46,7 +46,8 @@ struct StabilityOptions {
 };
 
 struct StudyOptions {
-  std::string scene;                                       ///< or a preset's name
+  std::vector<std::string> what;  ///< a scene or preset; or the word compare and two studies
+  std::string scene;
   std::vector<StudyAxis> axes;                             ///< what differs from point to point
   std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
   std::string norm;                                        ///< empty: v, or the preset's
@@ -73,6 +74,9 @@ int rates_command(const RatesOptions& options);
 int stability_command(const StabilityOptions& options);
 /// Error against run time over every combination of schemes, kernels, resolutions, ...
 int study_command(const StudyOptions& options);
+/// Two studies, point by point: ratios of errors and CPU seconds, and what got worse. Files, or the folders of studies.
+int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
+                          const std::string& norm);
 /// The papers' tables, computed, beside what they print.
 int tables_command(const TablesOptions& options);
 int ic_check_command(const std::string& file);

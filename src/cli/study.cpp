@@ -9,16 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "src/cli/commands.hpp"
-#include "src/cli/platform.hpp"
 #include "src/cli/plot_script.hpp"
-#include "src/cli/problem.hpp"
+#include "src/cli/study_record.hpp"
 #include "src/engine/errors.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
 #include "src/report/text_file.hpp"
 #include "src/study/presets.hpp"
-#include "src/study/results.hpp"
 
 extern char** environ;
 
@@ -50,11 +47,6 @@ int run_self(const std::vector<std::string>& arguments, const fs::path& log) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-Json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  return Json::parse(file, nullptr, false);
-}
-
 /// The last line of a run's log that says error, or the last line at all.
 std::string reason_in(const fs::path& log) {
   std::ifstream file(log);
@@ -65,30 +57,6 @@ std::string reason_in(const fs::path& log) {
     else if (!line.empty())
       last = line;
   return last.empty() ? "no output" : last;
-}
-
-/// A study on disk: what was asked, and every run's run.json by the name of its point.
-struct Record {
-  fs::path file;
-  Json json;
-
-  bool has(const StudyPoint& point) const { return json["points"].contains(point.name()); }
-  void save() const { write_text(file, json.dump(1) + "\n"); }
-};
-
-Record open_record(const StudyOptions& options, const fs::path& folder) {
-  Record record{folder / "study.json", {}};
-  if (fs::exists(record.file)) {
-    record.json = read_json(record.file);
-    if (record.json.is_discarded() || record.json.value("scene", "") != options.scene)
-      throw InputError(
-          fmt::format("{} holds no study of {}: name another folder with --out", record.file.string(), options.scene));
-    return record;
-  }
-  record.json = {{"scene", options.scene},       {"machine", machine_name()},
-                 {"version", build().version},   {"git_revision", build().git_revision},
-                 {"compiler", build().compiler}, {"points", Json::object()}};
-  return record;
 }
 
 std::vector<std::string> arguments_of(const StudyOptions& options, const StudyPoint& point, const fs::path& folder) {
@@ -128,7 +96,7 @@ double expected_seconds(const StudyOptions& options, const StudyPoint& point, co
 }
 
 /// Tells how many points are to run and about how long that takes.
-void announce(const StudyOptions& options, const std::vector<StudyPoint>& points, const Record& record) {
+void announce(const StudyOptions& options, const std::vector<StudyPoint>& points, const StudyRecord& record) {
   double expected = 0;
   int waiting = 0;
   for (const StudyPoint& point : points) {
@@ -143,7 +111,7 @@ void announce(const StudyOptions& options, const std::vector<StudyPoint>& points
 }
 
 /// Runs a point as often as asked; what it found goes into the record.
-void run_point(const StudyOptions& options, const StudyPoint& point, Record& record) {
+void run_point(const StudyOptions& options, const StudyPoint& point, StudyRecord& record) {
   const fs::path folder = record.file.parent_path() / "points" / point.name();
   fs::create_directories(folder.parent_path());
   const fs::path log = folder.string() + ".log";
@@ -166,28 +134,6 @@ void run_point(const StudyOptions& options, const StudyPoint& point, Record& rec
   for (const auto& [key, value] : point.keys) keys[key] = value;
   record.json["points"][point.name()] = {{"keys", keys}, {"failure", failure}, {"runs", runs}};
   record.save();
-}
-
-StudyResult result_of(const StudyPoint& point, const Json& entry, const std::string& norm) {
-  StudyResult r;
-  r.point = point;
-  r.failure = entry.value("failure", "");
-  if (!r.failure.empty()) return r;
-  const Json& first = entry["runs"][0];
-  r.n = first["n"], r.particles = first["particles"], r.steps = first["steps"];
-  r.updates = first["updates"], r.pairs = first["pair_interactions"], r.bytes = first["peak_memory_bytes"];
-  r.energy_drift = first["conservation"]["energy"];
-  r.wall = r.cpu = 1e300;
-  for (const Json& run : entry["runs"]) {
-    r.wall = std::min<double>(r.wall, run["wall_seconds"]);
-    r.cpu = std::min<double>(r.cpu, run["cpu_seconds"]);
-  }
-  if (first["errors"].contains(norm))
-    r.error = first["errors"][norm]["l1"];
-  else
-    r.failure = first["errors"].empty() ? "the scene has no exact solution"
-                                        : fmt::format("no norm of \"{}\"; choose another with --norm", norm);
-  return r;
 }
 
 void write_csv(const fs::path& path, const std::vector<StudyResult>& results) {
@@ -243,7 +189,7 @@ int study_command(const StudyOptions& given) {
   check(options, points);
   const fs::path folder = options.out.value_or(options.scene + "-study");
   fs::create_directories(folder);
-  Record record = open_record(options, folder);
+  StudyRecord record = open_record(options, folder);
   announce(options, points, record);
   const Stopwatch watch;
   std::size_t done = 0;

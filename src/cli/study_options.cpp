@@ -47,7 +47,9 @@ std::string preset_lines() {
 }  // namespace
 
 void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out) {
-  app.add_option("scene", study.scene, "a scene with an exact solution, or a preset")->required();
+  app.add_option("what", study.what, "a scene with an exact solution, a preset, or: compare STUDY STUDY")
+      ->required()
+      ->expected(1, 3);
   axis(app, study, "--scheme", "sph.scheme", "schemes");
   axis(app, study, "--kernel", "sph.kernel", "smoothing kernels");
   axis(app, study, "--neighbours", "sph.neighbours", "neighbour numbers");
@@ -77,7 +79,7 @@ void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::stri
   app.add_option("--out", out, "folder of the study; default: SCENE-study. What it holds already is not run again");
   app.footer(
       "Examples:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n"
-      "  sphk study kernel-choice\n\nPresets:\n" +
+      "  sphk study kernel-choice\n  sphk study compare before after/study.json\n\nPresets:\n" +
       preset_lines() +
       "\nThe folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
 }

@@ -131,6 +131,18 @@ class Figures(unittest.TestCase):
         self.assertEqual([row["n"] for row in rows], ["8", "16", "24"])
         self.assertTrue(all(float(row["error"]) > 0 and float(row["cpu_seconds"]) > 0 for row in rows))
         self.assertGreater(share(colours(os.path.join(self.folder, "study", "study.png"))[0], "#0072b2"), 1e-4)
+        other = list(study[:-1]) + ["other", "--set", "viscosity.alpha=3"]
+        self.sphk(*other)
+        self.assertIn("another folder", self.sphk(*study[:-1], "other", code=2), "it has other keys")
+        there = self.sphk("study", "compare", "study", "other/study.json")
+        back = self.sphk("study", "compare", "other", "study")
+        self.assertIn("4 points compared", there)
+        self.assertIn("larger error", there + back)  # another viscosity has other errors, one way or the other
+        ratios = [[float(x) for x in re.findall(r"(?:8|16) +(\d+\.\d+) ", text)] for text in (there, back)]
+        self.assertEqual(len(ratios[0]), 4)
+        for one, other_way in zip(*ratios):
+            self.assertAlmostEqual(one * other_way, 1, delta=0.005)
+        self.assertIn("is no study", self.sphk("study", "compare", "study", "run", code=2))
         self.assertIn("gadget2", self.sphk("study", "sod", "--scheme", "gadget", "--out", "bad", code=2))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "bad")), "nothing runs where a name is wrong")
 

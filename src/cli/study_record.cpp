@@ -1,0 +1,80 @@
+#include "src/cli/study_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "src/cli/platform.hpp"
+#include "src/engine/errors.hpp"
+#include "src/report/machine.hpp"
+#include "src/report/text_file.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+
+Json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  return Json::parse(file, nullptr, false);
+}
+
+void StudyRecord::save() const {
+  write_text(file, json.dump(1) + "\n");
+}
+
+StudyRecord open_record(const StudyOptions& options, const fs::path& folder) {
+  Json fixed = Json::object();
+  for (const auto& [key, value] : options.fixed) fixed[key] = value;
+  StudyRecord record{folder / "study.json", {}};
+  if (fs::exists(record.file)) {
+    record = read_record(record.file);
+    if (record.json["scene"] != options.scene || record.json["fixed"] != fixed)
+      throw InputError(fmt::format("{} holds a study of {} with the keys {}: name another folder with --out",
+                                   record.file.string(), record.json["scene"].dump(), record.json["fixed"].dump()));
+    return record;
+  }
+  record.json = {{"scene", options.scene},
+                 {"fixed", fixed},
+                 {"machine", machine_name()},
+                 {"version", build().version},
+                 {"git_revision", build().git_revision},
+                 {"compiler", build().compiler},
+                 {"points", Json::object()}};
+  return record;
+}
+
+StudyRecord read_record(const fs::path& path) {
+  StudyRecord record{fs::is_directory(path) ? path / "study.json" : path, {}};
+  record.json = read_json(record.file);
+  if (record.json.is_discarded() || !record.json.contains("points") || !record.json.contains("fixed"))
+    throw InputError(
+        fmt::format("{} is no study: give a folder that `sphk study` made, or its study.json", record.file.string()));
+  return record;
+}
+
+StudyResult result_of(const StudyPoint& point, const Json& entry, const std::string& norm) {
+  StudyResult r;
+  r.point = point;
+  r.failure = entry.value("failure", "");
+  if (!r.failure.empty()) return r;
+  const Json& first = entry["runs"][0];
+  r.n = first["n"], r.particles = first["particles"], r.steps = first["steps"];
+  r.updates = first["updates"], r.pairs = first["pair_interactions"], r.bytes = first["peak_memory_bytes"];
+  r.energy_drift = first["conservation"]["energy"];
+  r.wall = r.cpu = 1e300;
+  for (const Json& run : entry["runs"]) {
+    r.wall = std::min<double>(r.wall, run["wall_seconds"]);
+    r.cpu = std::min<double>(r.cpu, run["cpu_seconds"]);
+  }
+  if (first["errors"].contains(norm))
+    r.error = first["errors"][norm]["l1"];
+  else
+    r.failure = first["errors"].empty() ? "the scene has no exact solution"
+                                        : fmt::format("no norm of \"{}\"; choose another with --norm", norm);
+  return r;
+}
+
+}  // namespace sphk

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "src/cli/commands.hpp"
+#include "src/study/results.hpp"
+
+namespace sphk {
+
+/// A study on disk, study.json: what all its runs share, and every run's run.json by the name of its point.
+struct StudyRecord {
+  std::filesystem::path file;
+  nlohmann::ordered_json json;
+
+  bool has(const StudyPoint& point) const { return json["points"].contains(point.name()); }
+  void save() const;
+};
+
+/// The record in this folder, or a new one. Throws InputError where it is of another scene or of other --set keys.
+StudyRecord open_record(const StudyOptions& options, const std::filesystem::path& folder);
+
+/// The record in that file, or in that folder; throws InputError where there is none.
+StudyRecord read_record(const std::filesystem::path& path);
+
+nlohmann::ordered_json read_json(const std::filesystem::path& path);
+
+/// What the runs of a point came to, by the norm of that field.
+StudyResult result_of(const StudyPoint& point, const nlohmann::ordered_json& entry, const std::string& norm);
+
+}  // namespace sphk
