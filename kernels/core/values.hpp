@@ -1,5 +1,7 @@
 #pragma once
 
+#include "kernels/core/error_fields.hpp"
+#include "kernels/core/family_fields.hpp"
 #include "kernels/core/fields.hpp"
 
 namespace sphk {
