@@ -118,6 +118,14 @@ std::optional<Problem> problem_of(const Targets& targets) {
   return resolve_problem(scene_file.string(), {});
 }
 
+Json references_of(const Problem& problem) {
+  Json references = Json::array();
+  for (const Reference& r : problem.scene->references(problem.settings))
+    references.push_back(
+        {{"measure", r.measure}, {"time", r.time}, {"low", r.low}, {"high", r.high}, {"over_start", r.over_start}});
+  return references;
+}
+
 /// The density maps of several runs or snapshots, on one scale, in one figure.
 void plot_side_by_side(const PlotOptions& options) {
   if (!options.out || options.out->extension() != ".png")
@@ -221,6 +229,7 @@ int plot_command(const PlotOptions& options) {
   }
   const fs::path history = targets.folder / "history.csv";
   if (fs::exists(history)) work["history"] = history.string();
+  work["references"] = problem ? references_of(*problem) : Json::array();
   const bool draw_history =
       targets.whole_run && fs::exists(history) && !(options.out && options.out->extension() == ".png");
   if (draw_history) work["history_out"] = (options.out.value_or(targets.folder) / "history.png").string();

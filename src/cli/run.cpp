@@ -65,10 +65,12 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
   record.time = simulation.time();
   record.wall_seconds = loop.wall();
   record.cpu_seconds = loop.cpu();
+  record.joules = loop.joules();
   record.output_seconds = output.seconds();
   record.costs = simulation.costs();
   record.conservation = drift(output.start(), simulation.totals(), box);
   record.errors = output.errors();
+  record.deviations = output.deviations().by_measure();
   record.budget = output.budget();
   for (const std::string& warning : simulation.warnings())
     if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
@@ -89,7 +91,7 @@ int run_command(const RunOptions& options) {
   if (options.out && !options.overwrite) refuse_used_folder(*options.out);
   const Stopwatch setup;
   const ParticleSet particles = initial_condition(*problem.scene, problem.settings);
-  const RunLoop::Plan plan = make_plan(problem.settings, particles.time);
+  RunLoop::Plan plan = make_plan(problem.settings, particles.time);
   RunRecord record = make_record(problem, particles);
   Progress progress(options.json_log ? ProgressStyle::json : style_for(stdout),
                     {.from = particles.time, .to = plan.end, .steps = plan.steps});
@@ -101,6 +103,7 @@ int run_command(const RunOptions& options) {
   catch_stop_signals();
   RunOutput output(make_run_folder(problem.scene->name(), options.out, options.overwrite), *problem.scene,
                    problem.settings);
+  plan.rows = output.deviations().times(particles.time, plan.end);
   RunLoop loop(*simulation, output, progress, plan, particles.box);
   const auto conclude = [&] {
     add_results(record, loop, output, *simulation, particles.box);

@@ -25,7 +25,9 @@ bool RunLoop::over() const {
 
 void RunLoop::step(double until) {
   const Stopwatch watch;
+  const std::optional<double> energy = meter_.joules();
   const StepReport report = simulation_.step(until);
+  if (energy) joules_ = joules_.value_or(0) + *meter_.joules() - *energy;
   wall_ += watch.wall();
   cpu_ += watch.cpu();
   ++steps_;
@@ -36,17 +38,26 @@ void RunLoop::tell(const StepReport& report) {
   progress_.report(report, simulation_.costs().updates, drift(output_.start(), simulation_.totals(), box_).energy);
 }
 
+/// Steps to a time; one that is cut short to it may miss it by round-off.
+void RunLoop::go(double until) {
+  while (simulation_.time() < until - round_off() && !over()) step(until);
+}
+
 RunLoop::End RunLoop::run() {
-  // A step that is cut short to an output time may miss it by round-off.
-  const double round_off = 1e-12 * (plan_.end - begin_);
   output_.write(simulation_);
+  auto row = plan_.rows.begin();
   for (long snapshot = 1; snapshot <= plan_.snapshots && !over(); ++snapshot) {
     const double until = output_time(snapshot);
-    while (simulation_.time() < until - round_off && !over()) step(until);
+    for (; row != plan_.rows.end() && *row < until + near(); ++row) {
+      if (*row > until - near()) continue;
+      go(*row);
+      if (!over()) output_.add_row(simulation_);
+    }
+    go(until);
     output_.write(simulation_);
   }
   if (steps_ > 0) tell(simulation_.last_step());
-  const bool complete = simulation_.time() >= plan_.end - round_off || (plan_.steps > 0 && steps_ >= plan_.steps);
+  const bool complete = simulation_.time() >= plan_.end - round_off() || (plan_.steps > 0 && steps_ >= plan_.steps);
   return complete ? End::finished : End::stopped;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/cli/run_output.hpp"
+#include "src/report/energy_meter.hpp"
 #include "src/report/progress.hpp"
 
 namespace sphk {
@@ -11,9 +12,10 @@ class RunLoop {
   enum class End { finished, stopped };
 
   struct Plan {
-    double end = 1;      ///< code units
-    long steps = 0;      ///< stop after so many; 0: no limit
-    long snapshots = 1;  ///< after the first, at equal intervals of time
+    double end = 1;              ///< code units
+    long steps = 0;              ///< stop after so many; 0: no limit
+    long snapshots = 1;          ///< after the first, at equal intervals of time
+    std::vector<double> rows{};  ///< times of further rows of history.csv, rising
   };
 
   RunLoop(Simulation& simulation, RunOutput& output, Progress& progress, Plan plan, const Box& box);
@@ -26,10 +28,16 @@ class RunLoop {
   /// Wall-clock and CPU seconds of the steps alone.
   double wall() const { return wall_; }
   double cpu() const { return cpu_; }
+  /// Energy of the processors during the steps, in J, where the machine tells.
+  std::optional<double> joules() const { return joules_; }
 
  private:
   double output_time(long snapshot) const;
+  /// Times closer than these are the same: for the end of a step, for an output.
+  double round_off() const { return 1e-12 * (plan_.end - begin_); }
+  double near() const { return 1e-6 * (plan_.end - begin_); }
   bool over() const;
+  void go(double until);
   void step(double until);
   void tell(const StepReport& report);
 
@@ -41,6 +49,8 @@ class RunLoop {
   double begin_;
   long steps_ = 0;
   double wall_ = 0, cpu_ = 0;
+  EnergyMeter meter_;
+  std::optional<double> joules_;
 };
 
 }  // namespace sphk

@@ -35,7 +35,8 @@ RunOutput::RunOutput(std::filesystem::path folder, const Scene& scene, const Set
       settings_(settings),
       info_(snapshot_info(scene, settings)),
       compression_(settings.text("output.compression") == "gzip" ? Compression::gzip : Compression::none),
-      history_(folder_ / "history.csv") {
+      history_(folder_ / "history.csv"),
+      deviations_(scene.references(settings)) {
   write_text(folder_ / "scene.used.toml", info_.scene_text);
 }
 
@@ -55,13 +56,25 @@ void RunOutput::write(const Simulation& simulation) {
   write_snapshot(folder_ / name, snapshot, info_, compression_);
   series_.push_back({name, snapshot.time});
   write_series(folder_, series_);
+  add_row(simulation, snapshot, std::move(measures));
+  last_step_ = step.step;
+  seconds_ += watch.wall();
+}
+
+void RunOutput::add_row(const Simulation& simulation) {
+  const Stopwatch watch;
+  const Snapshot snapshot = simulation.snapshot();
+  add_row(simulation, snapshot, scene_.measures(settings_, snapshot));
+  seconds_ += watch.wall();
+}
+
+void RunOutput::add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures) {
+  deviations_.add(snapshot.time, measures);
   errors_ = scene_.errors(settings_, snapshot);
   for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
   const Totals totals = simulation.totals();
   if (!start_) start_ = totals;
-  history_.add(step, totals, drift(*start_, totals, snapshot.box), measures);
-  last_step_ = step.step;
-  seconds_ += watch.wall();
+  history_.add(simulation.last_step(), totals, drift(*start_, totals, snapshot.box), measures);
 }
 
 }  // namespace sphk

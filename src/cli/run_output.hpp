@@ -8,6 +8,7 @@
 
 #include "src/engine/simulation.hpp"
 #include "src/io/snapshot_writer.hpp"
+#include "src/report/deviations.hpp"
 #include "src/report/error_budget.hpp"
 #include "src/report/history.hpp"
 #include "src/scenes/scene.hpp"
@@ -22,9 +23,13 @@ class RunOutput {
 
   /// Writes the next snapshot and row, unless the current step is written already. Throws InputError.
   void write(const Simulation& simulation);
+  /// A row of history.csv alone.
+  void add_row(const Simulation& simulation);
 
   /// The scene's error norms at the last output.
   const std::map<std::string, ErrorNorm>& errors() const { return errors_; }
+  /// How far the scene's measures are from converged runs.
+  const Deviations& deviations() const { return deviations_; }
   /// Of the kernels' sampling at the last output, where the key output.errors asks for it.
   const std::optional<ErrorBudget>& budget() const { return budget_; }
   double seconds() const { return seconds_; }
@@ -42,10 +47,13 @@ class RunOutput {
   History history_;
   std::vector<SeriesEntry> series_;
   std::map<std::string, ErrorNorm> errors_;
+  Deviations deviations_;
   std::optional<ErrorBudget> budget_;
   std::optional<Totals> start_;
   long last_step_ = -1;
   double seconds_ = 0;
+
+  void add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures);
 };
 
 /// What the files of a run say about it.

@@ -31,6 +31,9 @@ void phases(Text out, const RunRecord& r) {
   phase_row(out, "time loop", r.wall_seconds, r);
   fmt::format_to(out, "  set-up {}, output {}, CPU of the time loop {}\n", duration_text(r.setup_seconds),
                  duration_text(r.output_seconds), duration_text(r.cpu_seconds));
+  if (r.joules)
+    fmt::format_to(out, "  energy of the processors {:.4g} J, {:.3g} uJ per update\n", *r.joules,
+                   r.costs.updates > 0 ? 1e6 * *r.joules / static_cast<double>(r.costs.updates) : 0);
 }
 
 void rates(Text out, const RunRecord& r) {
@@ -50,6 +53,14 @@ void physics(Text out, const RunRecord& r) {
   for (const auto& [field, norm] : r.errors)
     fmt::format_to(out, "  error of {:<16} L1 {:<10.4g} L2 {:<10.4g} Linf {:<10.4g} at ({:.4g}, {:.4g}, {:.4g})\n",
                    field, norm.l1, norm.l2, norm.linf, norm.where[0], norm.where[1], norm.where[2]);
+  for (const auto& [measure, deviation] : r.deviations) {
+    std::vector<std::string> found;
+    for (const Deviation::At& a : deviation.at)
+      found.push_back(a.low == a.high ? fmt::format("{:.3g} of {:.3g}", a.value, a.low)
+                                      : fmt::format("{:.3g} of {:.3g} to {:.3g}", a.value, a.low, a.high));
+    fmt::format_to(out, "  {:<25} L1 {:<10.4g} of converged runs: {}\n", measure, deviation.l1(),
+                   fmt::join(found, ", "));
+  }
 }
 
 void error_budget(Text out, const ErrorBudget& b) {
@@ -61,7 +72,8 @@ void error_budget(Text out, const ErrorBudget& b) {
   row("all", b.all);
   row("where fluids meet", b.boundary);
   row("away from there", b.bulk);
-  fmt::format_to(out, "  mean |R - 1| {:.3g}, |V - 1| {:.3g}; nearest neighbour at {:.3g} mean spacings, 5 % below {:.3g}\n",
+  fmt::format_to(out,
+                 "  mean |R - 1| {:.3g}, |V - 1| {:.3g}; nearest neighbour at {:.3g} mean spacings, 5 % below {:.3g}\n",
                  b.R, b.V, b.nearest, b.nearest_low);
 }
 

@@ -27,6 +27,17 @@ Json errors(const std::map<std::string, ErrorNorm>& norms) {
   return json;
 }
 
+Json deviations(const std::map<std::string, Deviation>& deviations) {
+  Json json = Json::object();
+  for (const auto& [measure, deviation] : deviations) {
+    Json at = Json::array();
+    for (const Deviation::At& a : deviation.at)
+      at.push_back({{"time", a.time}, {"value", a.value}, {"low", a.low}, {"high", a.high}});
+    json[measure] = {{"l1", deviation.l1()}, {"at", at}};
+  }
+  return json;
+}
+
 Json share(const ErrorShare& s) {
   return {{"particles", s.particles}, {"mean", s.mean}, {"percentile_95", s.high}, {"max", s.max}};
 }
@@ -60,6 +71,7 @@ std::string run_json(const RunRecord& r) {
       {"pair_interactions", r.costs.pair_interactions},
       {"wall_seconds", r.wall_seconds},
       {"cpu_seconds", r.cpu_seconds},
+      {"joules", r.joules ? Json(*r.joules) : Json(nullptr)},
       {"setup_seconds", r.setup_seconds},
       {"output_seconds", r.output_seconds},
       {"seconds_by_phase", phases(r.costs)},
@@ -72,6 +84,7 @@ std::string run_json(const RunRecord& r) {
       {"share_of_peak", r.share_of_peak()},
       {"conservation", conservation(r.conservation)},
       {"errors", errors(r.errors)},
+      {"deviations", deviations(r.deviations)},
       {"left_out", r.left_out},
       {"warnings", r.warnings},
       {"version", r.build.version},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/report/conservation.hpp"
+#include "src/report/deviations.hpp"
 #include "src/report/error_budget.hpp"
 #include "src/scenes/scene.hpp"
 
@@ -42,10 +43,12 @@ struct RunRecord {
   double wall_seconds = 0;  ///< of the time loop alone
   double cpu_seconds = 0;   ///< of the time loop alone, all threads
   double setup_seconds = 0, output_seconds = 0;
+  std::optional<double> joules;  ///< of the processors during the time loop, where the machine tells
   Costs costs;
   Conservation conservation;
   std::map<std::string, ErrorNorm> errors;
-  std::optional<ErrorBudget> budget;  ///< at the last output, where it was asked for
+  std::map<std::string, Deviation> deviations;  ///< of the measures from converged runs
+  std::optional<ErrorBudget> budget;            ///< at the last output, where it was asked for
   std::vector<std::string> left_out, warnings;
 
   double updates_per_second() const { return wall_seconds > 0 ? static_cast<double>(costs.updates) / wall_seconds : 0; }

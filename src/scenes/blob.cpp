@@ -110,6 +110,13 @@ class Blob final : public Scene {
     const CloudGas cloud{.least_density = 0.64 * rho_cloud, .highest_energy = 0.9 * energy(settings, 1)};
     return {{"cloud_mass", cloud_mass(snapshot, cloud)}, {"cloud_velocity", cloud_velocity(snapshot)}};
   }
+  /// Of grid codes, which spread.
+  std::vector<Reference> references(const Settings&) const override {
+    const double tau = growth_time();
+    return {{"cloud_mass", 0.5 * tau, 0.69, 0.76, true},
+            {"cloud_mass", tau, 0.43, 0.52, true},
+            {"cloud_mass", 2 * tau, 0, 0.06, true}};
+  }
   PlotHint plot_hint(const Settings&) const override {
     return {.abscissa = "x", .from = 0, .to = box_size[0], .map = true};
   }

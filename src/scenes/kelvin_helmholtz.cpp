@@ -30,6 +30,18 @@ class KelvinHelmholtz final : public ShearLayers {
                       .doc = "of the layers; soft: density and velocity follow tanh(distance/0.01)",
                       .choices = {"sharp", "soft"}});
   }
+  /// Grid runs of the layers with soft edges, converged with resolution; sharp ones never converge.
+  std::vector<Reference> references(const Settings& settings) const override {
+    if (ratio_ != 2 || settings.text("scene.edges") != "soft") return {};
+    std::vector<Reference> references;
+    const auto add = [&](const char* measure, double growth_times, double value) {
+      references.push_back({measure, growth_times * growth_time(), value, value});
+    };
+    add("M", 0.25, 0.0198), add("M", 0.5, 0.0432), add("M", 0.75, 0.0596), add("M", 1, 0.0656);
+    add("W", 0.5, 0.112), add("W", 1, 0.197);
+    add("crossed", 0.5, 0.098), add("crossed", 1, 0.172);
+    return references;
+  }
 
  protected:
   Defaults defaults() const override { return {.end = 2 * growth_time(), .snapshots = 8}; }

@@ -26,6 +26,13 @@ class McNally final : public ShearLayers {
     ShearLayers::declare(settings);
     declare_arrangement(settings, "cubic");
   }
+  /// Grid runs, converged with resolution.
+  std::vector<Reference> references(const Settings&) const override {
+    std::vector<Reference> references;
+    for (const auto& [t, M] : {std::pair{0.5, 0.0105}, {0.75, 0.0229}, {1.0, 0.0475}, {1.5, 0.148}, {2.0, 0.233}})
+      references.push_back({"M", t, M, M});
+    return references;
+  }
 
  protected:
   Defaults defaults() const override { return {.n = 128, .dimension = 2, .end = 2, .snapshots = 20}; }

@@ -25,6 +25,13 @@ struct ErrorNorm {
   Array3 where{};
 };
 
+/// What converged runs of other methods give for a measure at a time: a value between `low` and `high`.
+struct Reference {
+  std::string measure;  ///< a name of Scene::measures
+  double time = 0, low = 0, high = 0;
+  bool over_start = false;  ///< of the measure over its value at the start
+};
+
 /// How `sphk plot` draws a scene: against which coordinate, which fields, over which range.
 struct PlotHint {
   std::string abscissa = "x";  ///< x | y | R (cylindrical) | r (spherical)
@@ -41,7 +48,8 @@ class Scene {
   virtual std::string name() const = 0;
   /// One line for `sphk list`.
   virtual std::string summary() const = 0;
-  /// Declares the keys of [scene] and prefers the engine keys that suit it (scheme, kernel, neighbours, gamma, time.end).
+  /// Declares the keys of [scene] and prefers the engine keys that suit it (scheme, kernel, neighbours, gamma,
+  /// time.end).
   virtual void declare(Settings& settings) const = 0;
   /// Called once, after the file and the command line have set their keys: prefers values that follow from them, such
   /// as gamma from scene.variant. Keys that the user set stay as they are.
@@ -52,10 +60,13 @@ class Scene {
   virtual void set_velocities(ParticleSet&, const Settings&) const {}
   /// The exact solution, if there is one.
   virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }
-  /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no reference.
+  /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no
+  /// reference.
   virtual std::map<std::string, ErrorNorm> errors(const Settings&, const Snapshot&) const { return {}; }
   /// The scene's own columns of history.csv.
   virtual std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot&) const { return {}; }
+  /// What the measures should be; empty: unknown for these settings.
+  virtual std::vector<Reference> references(const Settings&) const { return {}; }
   virtual PlotHint plot_hint(const Settings&) const { return {}; }
 };
 

@@ -108,6 +108,14 @@ TEST_F(RunLoopTest, OutputsLieAtEqualIntervalsOfTimeAndNoStepPassesThem) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "snap_0005.hdf5"));
 }
 
+TEST_F(RunLoopTest, FurtherRowsOfTheHistoryComeWithoutSnapshots) {
+  Clock clock(0.07);
+  run(clock, {.end = 1, .steps = 0, .snapshots = 2, .rows = {0.1, 0.4, 0.5, 0.51, 1}});
+  EXPECT_EQ(times(), (std::vector<double>{0, 0.1, 0.4, 0.5, 0.51, 1}));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "snap_0002.hdf5"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "snap_0003.hdf5"));
+}
+
 TEST_F(RunLoopTest, ParaviewsSeriesNamesEverySnapshot) {
   Clock clock(1);
   run(clock, {.end = 1, .steps = 0, .snapshots = 2});

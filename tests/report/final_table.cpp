@@ -15,6 +15,8 @@ TEST(FinalTable, ShowsPhasesRatesConservationAndErrors) {
   r.platform.fma_peak = 1e11;
   r.conservation.energy = 1.25e-5;
   r.errors["v"].l1 = 0.0367;
+  r.deviations["M"].at = {{1, 0.03, 0.02, 0.02}, {2, 0.5, 0.4, 0.6}};
+  r.joules = 3;
   r.warnings = {"3 particles were lonely"};
   const std::string text = final_table(r);
   // rates: 1 s of 2 s is 50 %, and 1 s for 10^6 updates is 1 us each.
@@ -26,6 +28,8 @@ TEST(FinalTable, ShowsPhasesRatesConservationAndErrors) {
   EXPECT_NE(text.find("energy 1.25e-05"), std::string::npos) << text;
   EXPECT_NE(text.find("error of v"), std::string::npos) << text;
   EXPECT_NE(text.find("0.0367"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.03 of 0.02, 0.5 of 0.4 to 0.6"), std::string::npos) << text;
+  EXPECT_NE(text.find("3 J, 3 uJ per update"), std::string::npos) << text;  // for 10^6 updates
   EXPECT_NE(text.find("note: 3 particles were lonely"), std::string::npos) << text;
 }
 

@@ -83,8 +83,21 @@ def draw_errors(axes, history):
     axes.set_ylabel(r"$L_1$ error")
 
 
-def draw_measure(axes, history, name):
+def draw_references(axes, history, name, references):
+    """Marks, or bars from low to high, where converged runs tell what the measure should be."""
+    shown = [r for r in references if r["measure"] == name and r["time"] <= history["time"][-1] * (1 + 1e-6)]
+    if not shown:
+        return
+    unit = np.array([history[name][0] if r["over_start"] else 1 for r in shown])
+    low, high = (unit * [r[side] for r in shown] for side in ("low", "high"))
+    axes.errorbar([r["time"] for r in shown], (low + high) / 2, yerr=(high - low) / 2, fmt="D", ms=7, mfc="none",
+                  color="black", capsize=4, label="converged runs", zorder=3)
+    axes.legend(loc="best")
+
+
+def draw_measure(axes, history, name, references):
     draw_lines(axes, history, {name: name})
+    draw_references(axes, history, name, references)
     axes.set_ylabel(MEASURES.get(name, name.replace("_", " ")))
     if name in GROWING and (history[name] > 0).all():
         axes.set_yscale("log")
@@ -116,11 +129,11 @@ def draw_conservation(runs, path):
     save(figure, path)
 
 
-def draw_history(history, title, path):
+def draw_history(history, references, title, path):
     panels = [draw_drifts, draw_energies]
     if any("l1_" + name in history for name in SYMBOLS):
         panels.append(draw_errors)
-    panels += [lambda axes, history, name=name: draw_measure(axes, history, name) for name in measures_of(history)]
+    panels += [lambda axes, history, name=name: draw_measure(axes, history, name, references) for name in measures_of(history)]
     columns = min(len(panels), 3)
     rows = -(-len(panels) // columns)
     figure, grid = plt.subplots(rows, columns, figsize=(5.6 * columns, 4.6 * rows + 0.4), squeeze=False,
