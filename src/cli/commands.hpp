@@ -46,15 +46,24 @@ struct StabilityOptions {
 };
 
 struct StudyOptions {
-  std::vector<std::string> what;  ///< a scene or preset; or the word compare and two studies
-  std::string scene;
-  std::vector<StudyAxis> axes;                             ///< what differs from point to point
+  std::vector<std::string> what;  ///< a scene, a study file or a preset; or the word compare and two studies
+  std::vector<StudyAxis> axes;    ///< what differs from point to point
   std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
-  std::string norm;                                        ///< empty: v, or the preset's
-  double target = 0;                                       ///< an error to reach; 0: none
-  double max_seconds = 0;                                  ///< start no further point after so many; 0: no limit
-  int repeat = 1, threads = 0;
+  /// The study file's own where these are empty or zero.
+  std::string norm;
+  double target = 0;
+  std::vector<double> budgets;
+  int repeat = 0;
+  std::string others;
+  double max_seconds = 0;  ///< start no further point after so many; 0: no limit
+  int threads = 0;         ///< of each run; 0: what OpenMP gives
+  std::optional<std::filesystem::path> out, report;
+};
+
+struct GalleryOptions {
   std::optional<std::filesystem::path> out;
+  std::vector<std::string> scenes;  ///< empty: all
+  int threads = 0;                  ///< of each run; 0: what OpenMP gives
 };
 
 struct TablesOptions {
@@ -74,6 +83,8 @@ int rates_command(const RatesOptions& options);
 int stability_command(const StabilityOptions& options);
 /// Error against run time over every combination of schemes, kernels, resolutions, ...
 int study_command(const StudyOptions& options);
+/// A small run of every scene, and one page with them all.
+int gallery_command(const GalleryOptions& options);
 /// Two studies, point by point: ratios of errors and CPU seconds, and what got worse. Files, or the folders of studies.
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm);

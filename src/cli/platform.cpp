@@ -43,6 +43,10 @@ Build build() {
           .compiler = fmt::format("{} {}", build_info::compiler_name, build_info::compiler_version)};
 }
 
+std::filesystem::path shared_folder() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/sphk";
+}
+
 std::string version_text() {
   return fmt::format("sphk {} ({}), {} {} {}, Kokkos {} for {}", build_info::version, build_info::git_revision,
                      build_info::compiler_name, build_info::compiler_version, build_info::build_type,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "src/report/run_record.hpp"
@@ -10,6 +11,10 @@ namespace sphk {
 Platform detect_platform(const std::string& precision);
 
 Build build();
+
+/// share/sphk beside the folder of this executable, in the build tree and where it is installed: the drawing scripts
+/// and the studies that have names.
+std::filesystem::path shared_folder();
 
 /// "sphk 0.1.0 (revision), compiler, Kokkos".
 std::string version_text();

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "src/cli/platform.hpp"
 #include "src/engine/errors.hpp"
 
 extern char** environ;
@@ -22,9 +23,8 @@ namespace {
 /// The script's exit code when a Python package is missing (src/report/plot/plot.py); 127 is the shell's "not found".
 constexpr int missing_package = 86, not_found = 127;
 
-/// share/sphk/plot beside the folder of this executable, in the build tree and where it is installed.
 fs::path script_path() {
-  const fs::path script = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/sphk/plot/plot.py";
+  const fs::path script = shared_folder() / "plot/plot.py";
   if (!fs::exists(script))
     throw InputError(fmt::format("the drawing script {} is missing: build or install sphk again", script.string()));
   return script;

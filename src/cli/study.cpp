@@ -1,23 +1,22 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "src/cli/child.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/platform.hpp"
 #include "src/cli/plot_script.hpp"
+#include "src/cli/stop_signal.hpp"
+#include "src/cli/study_progress.hpp"
 #include "src/cli/study_record.hpp"
+#include "src/cli/study_report.hpp"
 #include "src/engine/errors.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
 #include "src/report/text_file.hpp"
-#include "src/study/presets.hpp"
-
-extern char** environ;
 
 namespace sphk {
 
@@ -27,126 +26,195 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Exit code of this executable with these arguments, its output in `log`.
-int run_self(const std::vector<std::string>& arguments, const fs::path& log) {
-  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int error = posix_spawn(&child, words[0].c_str(), &files, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (error != 0) throw InputError(fmt::format("cannot start {}", words[0]));
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+/// A preset's file, a study file, or the axes of the command line; with the options' own choices.
+StudyPlan plan_of(const StudyOptions& options) {
+  const std::string& what = options.what[0];
+  const fs::path preset = shared_folder() / "studies" / (what + ".toml");
+  const bool named = what.find('/') == std::string::npos && fs::exists(preset);
+  StudyPlan plan;
+  if (named || is_study_file(what)) {
+    plan = read_study_file(named ? preset : fs::path(what));
+    if (!options.axes.empty())
+      throw InputError(fmt::format("{} says itself what it runs; name its scene, {}, to choose on the command line",
+                                   what, plan.scene));
+  } else {
+    plan.scene = what;
+    plan.points = product_of(options.axes);
+  }
+  for (const auto& key : options.fixed) {
+    std::erase_if(plan.fixed, [&](const auto& other) { return other.first == key.first; });
+    plan.fixed.push_back(key);
+  }
+  if (!options.norm.empty()) plan.norm = options.norm;
+  if (options.target > 0) plan.target = options.target;
+  if (!options.budgets.empty()) plan.budgets = options.budgets;
+  if (options.repeat > 0) plan.repeat = options.repeat;
+  if (!options.others.empty()) plan.others = options.others;
+  return plan;
 }
 
-/// The last line of a run's log that says error, or the last line at all.
-std::string reason_in(const fs::path& log) {
-  std::ifstream file(log);
-  std::string line, last;
-  while (std::getline(file, line))
-    if (line.starts_with("error:"))
-      return line.substr(7);
-    else if (!line.empty())
-      last = line;
-  return last.empty() ? "no output" : last;
+/// Throws InputError where a point's keys are none or nothing measures its error, before anything runs. Chooses the
+/// norm where nobody did.
+void check(StudyPlan& plan) {
+  for (const StudyPoint& point : plan.points) {
+    std::vector<Override> keys;
+    for (const auto* list : {&std::as_const(plan.fixed), &point.keys})
+      for (const auto& [key, value] : *list) keys.push_back({key, value, key + "=" + value});
+    const Problem problem = resolve_problem(plan.scene, keys);
+    if (problem.scene->exact(problem.settings)) {
+      if (plan.norm.empty()) plan.norm = "v";
+      continue;
+    }
+    const std::vector<Reference> references = problem.scene->references(problem.settings);
+    if (references.empty())
+      throw InputError(fmt::format("{} has neither an exact solution nor values of converged runs{}", plan.scene,
+                                   plan.scene == "kh12" ? " with these keys; it has them with --set scene.edges=soft"
+                                                        : ", so there is no error to study"));
+    if (plan.norm.empty()) plan.norm = references[0].measure;
+    if (std::ranges::find(references, plan.norm, &Reference::measure) == references.end())
+      throw InputError(fmt::format("{} has no converged values of \"{}\"; take --norm {}", plan.scene, plan.norm,
+                                   references[0].measure));
+  }
 }
 
-std::vector<std::string> arguments_of(const StudyOptions& options, const StudyPoint& point, const fs::path& folder) {
-  std::vector<std::string> arguments{"run", options.scene, "--out", folder.string(), "--overwrite"};
+class Study {
+ public:
+  Study(StudyPlan plan, const StudyOptions& options)
+      : plan_(std::move(plan)),
+        threads_(options.threads),
+        folder_(
+            options.out.value_or(plan_.name.empty() ? fs::path(plan_.scene).stem().string() + "-study" : plan_.name)) {
+    fs::create_directories(folder_);
+    record_ = open_record(plan_, folder_);
+    record_.json["norm"] = plan_.norm;
+  }
+
+  /// Tells how many points are to run and about how long that takes.
+  void announce();
+  /// Runs what is not in the record. Returns whether that came to its end: --max-time and a request to stop end it
+  /// early.
+  bool run(double max_seconds);
+  /// Table, answers, CSV, figure, and the report where one is asked for.
+  void conclude(const std::optional<fs::path>& report) const;
+
+ private:
+  std::vector<std::string> arguments(const StudyPoint& point, const fs::path& folder) const;
+  /// A dry run: seconds that a run of the point will take by a trial of three steps, set-up included.
+  double trial(const StudyPoint& point) const;
+  void run_point(const StudyPoint& point, StudyProgress& progress);
+  std::vector<StudyResult> results() const;
+  void draw(const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others) const;
+
+  StudyPlan plan_;
+  int threads_;
+  fs::path folder_;
+  StudyRecord record_;
+  std::map<std::string, double> expected_;  ///< seconds of the points to run, by name
+};
+
+std::vector<std::string> Study::arguments(const StudyPoint& point, const fs::path& folder) const {
+  std::vector<std::string> words{"run", plan_.scene, "--out", folder.string(), "--overwrite", "--json-log"};
   const auto set = [&](const std::string& key, const std::string& value) {
-    arguments.insert(arguments.end(), {"--set", key + "=" + value});
+    words.insert(words.end(), {"--set", key + "=" + value});
   };
   set("output.snapshots", "1");
-  for (const auto& [key, value] : options.fixed) set(key, value);
+  for (const auto& [key, value] : plan_.fixed) set(key, value);
   for (const auto& [key, value] : point.keys) set(key, value);
-  if (options.threads > 0) arguments.insert(arguments.end(), {"--threads", std::to_string(options.threads)});
-  return arguments;
+  if (threads_ > 0) words.insert(words.end(), {"--threads", std::to_string(threads_)});
+  return words;
 }
 
-/// Throws InputError where a point's keys are none, before anything runs.
-void check(const StudyOptions& options, const std::vector<StudyPoint>& points) {
-  for (const StudyPoint& point : points) {
-    std::vector<Override> keys;
-    for (const auto* list : {&options.fixed, &point.keys})
-      for (const auto& [key, value] : *list) keys.push_back({key, value, key + "=" + value});
-    resolve_problem(options.scene, keys);
-  }
-}
-
-/// Seconds that a run of the point will take, from a trial of three steps; 0 where the trial fails.
-double expected_seconds(const StudyOptions& options, const StudyPoint& point, const fs::path& folder) {
-  std::vector<std::string> arguments = arguments_of(options, point, folder / "trial");
-  arguments.push_back("--dry-run");
-  if (run_self(arguments, folder / "trial.log") != ExitCode::done) return 0;
-  std::ifstream file(folder / "trial.log");
-  const std::string log{std::istreambuf_iterator<char>(file), {}};
+double Study::trial(const StudyPoint& point) const {
+  std::vector<std::string> words = arguments(point, folder_ / "trial");
+  words.push_back("--dry-run");
+  const fs::path file = folder_ / "trial.log";
+  const Stopwatch watch;
+  const int code = run_child(words, file);
+  std::stringstream log;
+  log << std::ifstream(file).rdbuf();
+  fs::remove(file);
+  const std::string text = log.str();
   std::smatch steps, seconds;
-  if (!std::regex_search(log, steps, std::regex("steps +about ([0-9]+)")) ||
-      !std::regex_search(log, seconds, std::regex("\\(([0-9.e+-]+) s a step")))
-    return 0;
-  return std::stod(steps[1]) * std::stod(seconds[1]);
+  if (code != ExitCode::done || !std::regex_search(text, steps, std::regex("steps +about ([0-9]+)")) ||
+      !std::regex_search(text, seconds, std::regex("\\(([0-9.e+-]+) s a step")))
+    return watch.wall();
+  return watch.wall() + std::stod(steps[1]) * std::stod(seconds[1]);
 }
 
-/// Tells how many points are to run and about how long that takes.
-void announce(const StudyOptions& options, const std::vector<StudyPoint>& points, const StudyRecord& record) {
+void Study::announce() {
   double expected = 0;
-  int waiting = 0;
-  for (const StudyPoint& point : points) {
-    if (record.has(point)) continue;
-    ++waiting;
-    expected += options.repeat * expected_seconds(options, point, record.file.parent_path());
+  for (const StudyPoint& point : plan_.points) {
+    if (record_.has(point) || stop_requested()) continue;
+    expected_[point.name()] = plan_.repeat * trial(point);
+    expected += expected_[point.name()];
   }
-  fmt::print("{} points of {}, {} of them to run, {} times each, in {}{}\n", points.size(), options.scene, waiting,
-             options.repeat, record.file.parent_path().string(),
-             waiting > 0 ? "; about " + duration_text(expected) : "");
-  fs::remove(record.file.parent_path() / "trial.log");
+  fmt::print("{} points of {}, {} of them to run, {} in {}{}\n", plan_.points.size(), plan_.scene, expected_.size(),
+             plan_.repeat == 1 ? "once each" : fmt::format("{} times each", plan_.repeat), folder_.string(),
+             expected_.empty() ? "" : "; about " + duration_text(expected));
+  std::fflush(stdout);
 }
 
-/// Runs a point as often as asked; what it found goes into the record.
-void run_point(const StudyOptions& options, const StudyPoint& point, StudyRecord& record) {
-  const fs::path folder = record.file.parent_path() / "points" / point.name();
+/// Runs a point as often as asked, after a short trial that warms the machine up; what it found goes into the record.
+void Study::run_point(const StudyPoint& point, StudyProgress& progress) {
+  const fs::path folder = folder_ / "points" / point.name();
   fs::create_directories(folder.parent_path());
   const fs::path log = folder.string() + ".log";
   Json runs = Json::array();
   std::string failure;
-  for (int repeat = 0; repeat < options.repeat && failure.empty(); ++repeat) {
-    const int code = run_self(arguments_of(options, point, folder), log);
-    if (code == ExitCode::stopped) throw InputError("stopped; the same command goes on where it was");
+  double spent = 0;
+  trial(point);
+  for (int repeat = 0; repeat < plan_.repeat && failure.empty(); ++repeat) {
+    const Stopwatch watch;
+    const int code =
+        run_child(arguments(point, folder), log, [&] { progress.show((repeat + share_done(log)) / plan_.repeat); });
+    spent = watch.wall();
+    if (stop_requested() || code == ExitCode::stopped) return;
     if (code == ExitCode::done)
       runs.push_back(read_json(folder / "run.json"));
     else
-      failure = reason_in(log);
+      failure = reason_of(code, log);
   }
-  for (const auto& entry : fs::directory_iterator(folder.parent_path()))
-    if (entry.path() == folder) {
-      for (const auto& file : fs::directory_iterator(folder))
-        if (file.path().extension() == ".hdf5") fs::remove(file.path());
-    }
+  if (fs::is_directory(folder))
+    for (const auto& file : fs::directory_iterator(folder))
+      if (file.path().extension() == ".hdf5") fs::remove(file.path());
   Json keys = Json::object();
   for (const auto& [key, value] : point.keys) keys[key] = value;
-  record.json["points"][point.name()] = {{"keys", keys}, {"failure", failure}, {"runs", runs}};
-  record.save();
+  record_.json["points"][point.name()] = {
+      {"keys", keys}, {"failure", failure}, {"spent_seconds", spent}, {"runs", runs}};
+  record_.save();
 }
 
-void write_csv(const fs::path& path, const std::vector<StudyResult>& results) {
-  std::string csv =
-      "method,n,particles,error,energy_drift,steps,wall_seconds,cpu_seconds,updates,pairs,memory,failure\n";
-  for (const StudyResult& r : results)
-    csv +=
-        fmt::format("\"{}\",{},{},{:.9g},{:.3g},{},{:.6g},{:.6g},{},{},{},\"{}\"\n", r.point.method(), r.n, r.particles,
-                    r.error, r.energy_drift, r.steps, r.wall, r.cpu, r.updates, r.pairs, r.bytes, r.failure);
-  write_text(path, csv);
+bool Study::run(double max_seconds) {
+  const Stopwatch watch;
+  StudyProgress progress(plan_.points.size(), expected_);
+  for (std::size_t k = 0; k < plan_.points.size(); ++k) {
+    const StudyPoint& point = plan_.points[k];
+    if (record_.has(point)) continue;
+    if (max_seconds > 0 && watch.wall() > max_seconds) {
+      fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", max_seconds);
+      return false;
+    }
+    progress.begin(k, point);
+    run_point(point, progress);
+    if (!record_.has(point)) {
+      progress.end("stopped");
+      fmt::print("stopped; the same command goes on where it was\n");
+      return false;
+    }
+    const StudyResult result = result_of(point, record_.json["points"][point.name()], plan_.norm);
+    progress.end(result.valid() ? fmt::format("L1({}) {:.4g}", plan_.norm, result.error) : "failed: " + result.failure);
+  }
+  return true;
 }
 
-void draw(const fs::path& path, const StudyOptions& options, const std::vector<StudyResult>& results) {
+std::vector<StudyResult> Study::results() const {
+  std::vector<StudyResult> results;
+  for (const StudyPoint& point : plan_.points)
+    if (record_.has(point)) results.push_back(result_of(point, record_.json["points"][point.name()], plan_.norm));
+  return results;
+}
+
+void Study::draw(const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others) const {
   Json lines = Json::array();
   for (const auto& group : by_method(results)) {
     Json line = {{"method", group[0].point.method()}, {"points", Json::array()}};
@@ -158,62 +226,60 @@ void draw(const fs::path& path, const StudyOptions& options, const std::vector<S
     lines.push_back(line);
   }
   if (lines.empty()) return;
-  run_plot_script(Json{
-      {"study", lines},
-      {"norm", options.norm},
-      {"title", fmt::format("{} on {}", options.scene, machine_name())},
-      {"target", options.target},
-      {"out",
-       path.string()}}.dump());
+  Json failures = Json::array(), elsewhere = Json::array();
+  for (const StudyResult& r : results)
+    if (!r.valid()) failures.push_back({{"method", r.point.method()}, {"n", r.n}, {"cpu", r.cpu}});
+  for (const OtherPoint& o : others)
+    elsewhere.push_back(
+        {{"engine", o.engine}, {"setting", o.setting}, {"error", o.error}, {"cpu", o.cpu}, {"machine", o.machine}});
+  const bool deviation = !results.empty() && plan_.norm != "v" && plan_.norm != "rho" && plan_.norm != "P";
+  run_plot_script(Json{{"study", lines},
+                       {"failures", failures},
+                       {"others", elsewhere},
+                       {"norm", plan_.norm},
+                       {"relative", deviation},
+                       {"title", fmt::format("{} on {}", plan_.scene, record_.json["machine"].get<std::string>())},
+                       {"target", plan_.target},
+                       {"out", (folder_ / "study.png").string()}}
+                      .dump());
+}
+
+void write_csv(const fs::path& path, const std::vector<StudyResult>& results) {
+  std::string csv =
+      "method,n,particles,error,energy_drift,steps,wall_seconds,cpu_seconds,updates,pairs,memory,joules,failure\n";
+  for (const StudyResult& r : results)
+    csv += fmt::format("\"{}\",{},{},{:.9g},{:.3g},{},{:.6g},{:.6g},{},{},{},{},\"{}\"\n", r.point.method(), r.n,
+                       r.particles, r.error, r.energy_drift, r.steps, r.wall, r.cpu, r.updates, r.pairs, r.bytes,
+                       r.joules ? fmt::format("{:.6g}", *r.joules) : "",
+                       std::regex_replace(r.failure, std::regex("[\"\n]+"), " "));
+  write_text(path, csv);
+}
+
+void Study::conclude(const std::optional<fs::path>& report) const {
+  const std::vector<StudyResult> results = this->results();
+  const std::vector<OtherPoint> others = plan_.others.empty() ? std::vector<OtherPoint>{} : read_others(plan_.others);
+  const StudyAnswers answers = answers_of(plan_, results, others);
+  fmt::print("\n{}", answers.text());
+  write_csv(folder_ / "study.csv", results);
+  draw(results, others);
+  if (report) {
+    write_text(*report, report_page(plan_, answers, record_, folder_ / "study.png"));
+    fmt::print("{}\n", report->string());
+  }
 }
 
 }  // namespace
 
-int study_command(const StudyOptions& given) {
-  StudyOptions options = given;
-  std::vector<StudyPoint> points = product_of(options.axes);
-  const auto& presets = study_presets();
-  const auto preset = std::ranges::find(presets, options.scene, &StudyPreset::name);
-  if (preset != presets.end()) {
-    if (!options.axes.empty())
-      throw InputError(fmt::format("{} is a preset and says what it runs; name its scene, {}, to choose yourself",
-                                   preset->name, preset->scene));
-    points = preset->points;
-    options.fixed.insert(options.fixed.begin(), preset->fixed.begin(), preset->fixed.end());
-    options.scene = preset->scene;
-    if (options.norm.empty()) options.norm = preset->norm;
-    if (options.target == 0) options.target = preset->target;
-    if (!options.out) options.out = preset->name;
-  }
-  if (options.norm.empty()) options.norm = "v";
-  check(options, points);
-  const fs::path folder = options.out.value_or(options.scene + "-study");
-  fs::create_directories(folder);
-  StudyRecord record = open_record(options, folder);
-  announce(options, points, record);
-  const Stopwatch watch;
-  std::size_t done = 0;
-  for (const StudyPoint& point : points) {
-    ++done;
-    if (record.has(point)) continue;
-    if (options.max_seconds > 0 && watch.wall() > options.max_seconds) {
-      fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", options.max_seconds);
-      break;
-    }
-    fmt::print("[{}/{}] {} n = {} ...", done, points.size(), point.method(), point.value(resolution_key));
-    std::fflush(stdout);
-    const double start = watch.wall();
-    run_point(options, point, record);
-    fmt::print(" {}\n", duration_text(watch.wall() - start));
-  }
-  std::vector<StudyResult> results;
-  for (const StudyPoint& point : points)
-    if (record.has(point)) results.push_back(result_of(point, record.json["points"][point.name()], options.norm));
-  fmt::print("\n{}", study_table(results, options.norm));
-  if (options.target > 0) fmt::print("{}", target_lines(results, options.target));
-  write_csv(folder / "study.csv", results);
-  draw(folder / "study.png", options, results);
-  return ExitCode::done;
+int study_command(const StudyOptions& options) {
+  StudyPlan plan = plan_of(options);
+  check(plan);
+  if (!plan.others.empty()) read_others(plan.others);
+  catch_stop_signals();
+  Study study(std::move(plan), options);
+  study.announce();
+  study.run(options.max_seconds);
+  study.conclude(options.report);
+  return stop_requested() ? ExitCode::stopped : ExitCode::done;
 }
 
 }  // namespace sphk

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "src/cli/commands.hpp"
 #include "src/cli/study_record.hpp"
 
 namespace sphk {
@@ -19,7 +20,7 @@ StudyPoint point_of(const nlohmann::ordered_json& entry) {
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm) {
   const StudyRecord old_record = read_record(before), new_record = read_record(after);
-  const std::string field = norm.empty() ? "v" : norm;
+  const std::string field = norm.empty() ? old_record.json.value("norm", "v") : norm;
   int compared = 0, regressions = 0;
   fmt::print("before: {}, {}\nafter:  {}, {}\n\n", old_record.file.string(), old_record.json["machine"].dump(),
              new_record.file.string(), new_record.json["machine"].dump());

@@ -5,8 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
+#include "src/cli/platform.hpp"
 #include "src/engine/errors.hpp"
-#include "src/study/presets.hpp"
+#include "src/study/plan.hpp"
 
 namespace sphk {
 
@@ -40,14 +41,18 @@ StudyAxis axis_of(const std::string& text) {
 
 std::string preset_lines() {
   std::string text;
-  for (const StudyPreset& preset : study_presets()) text += fmt::format("  {:<20} {}\n", preset.name, preset.summary);
+  for (const StudyPlan& preset : study_files_in(shared_folder() / "studies"))
+    text += fmt::format("  {:<20} {}\n", preset.name, preset.summary);
   return text;
 }
 
 }  // namespace
 
-void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out) {
-  app.add_option("what", study.what, "a scene with an exact solution, a preset, or: compare STUDY STUDY")
+void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out,
+                       std::string& report) {
+  app.add_option("what", study.what,
+                 "a scene with an exact solution or converged runs, a study file (*.toml), a preset, or: compare STUDY "
+                 "STUDY")
       ->required()
       ->expected(1, 3);
   axis(app, study, "--scheme", "sph.scheme", "schemes");
@@ -72,16 +77,32 @@ void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::stri
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--repeat", study.repeat, "runs of each point; the fastest counts")->check(CLI::Range(1, 1000));
-  app.add_option("--norm", study.norm, "the quantity whose error counts; default: v")->type_name("FIELD");
+  app.add_option("--norm", study.norm, "the quantity whose error counts: v, rho, P, or a measure; default: v")
+      ->type_name("FIELD");
   app.add_option("--target", study.target, "an error: how long until it is reached?")->check(CLI::PositiveNumber);
+  app.add_option("--budget", study.budgets, "CPU seconds: which method is best with them?")
+      ->delimiter(',')
+      ->type_name("A,B,...")
+      ->expected(1, 1000)
+      ->allow_extra_args(false)
+      ->check(CLI::PositiveNumber);
+  app.add_option("--others", study.others, "points of other engines, as CSV: engine,setting,error,cpu_seconds,machine")
+      ->type_name("FILE.csv");
   app.add_option("--max-time", study.max_seconds, "start no run after so many seconds")->check(CLI::PositiveNumber);
   app.add_option("--threads", study.threads, "threads of each run")->check(CLI::Range(1, 65536));
   app.add_option("--out", out, "folder of the study; default: SCENE-study. What it holds already is not run again");
+  app.add_option("--report", report, "also write the study as one HTML page with everything in it")
+      ->type_name("FILE.html");
   app.footer(
       "Examples:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n"
-      "  sphk study kernel-choice\n  sphk study compare before after/study.json\n\nPresets:\n" +
+      "  sphk study kernel-choice --report kernels.html\n  sphk study my_study.toml --max-time 600\n"
+      "  sphk study compare before after/study.json\n\nPresets:\n" +
       preset_lines() +
-      "\nThe folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
+      "\nA study file has the lines scene = \"sod\", norm, target, budgets, repeat, others as wanted, and the "
+      "sections\n"
+      "[set] (keys of all runs), [vary] (lists of values) and [[methods]]; the presets are such files, in "
+      "share/sphk/studies.\n"
+      "The folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
 }
 
 }  // namespace sphk

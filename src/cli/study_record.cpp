@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "src/cli/platform.hpp"
 #include "src/engine/errors.hpp"
@@ -25,18 +26,18 @@ void StudyRecord::save() const {
   write_text(file, json.dump(1) + "\n");
 }
 
-StudyRecord open_record(const StudyOptions& options, const fs::path& folder) {
+StudyRecord open_record(const StudyPlan& plan, const fs::path& folder) {
   Json fixed = Json::object();
-  for (const auto& [key, value] : options.fixed) fixed[key] = value;
+  for (const auto& [key, value] : plan.fixed) fixed[key] = value;
   StudyRecord record{folder / "study.json", {}};
   if (fs::exists(record.file)) {
     record = read_record(record.file);
-    if (record.json["scene"] != options.scene || record.json["fixed"] != fixed)
+    if (record.json["scene"] != plan.scene || record.json["fixed"] != fixed)
       throw InputError(fmt::format("{} holds a study of {} with the keys {}: name another folder with --out",
                                    record.file.string(), record.json["scene"].dump(), record.json["fixed"].dump()));
     return record;
   }
-  record.json = {{"scene", options.scene},
+  record.json = {{"scene", plan.scene},
                  {"fixed", fixed},
                  {"machine", machine_name()},
                  {"version", build().version},
@@ -59,7 +60,11 @@ StudyResult result_of(const StudyPoint& point, const Json& entry, const std::str
   StudyResult r;
   r.point = point;
   r.failure = entry.value("failure", "");
-  if (!r.failure.empty()) return r;
+  if (!r.failure.empty()) {
+    std::istringstream(point.value(resolution_key)) >> r.n;
+    r.wall = r.cpu = entry.value("spent_seconds", 0.0);
+    return r;
+  }
   const Json& first = entry["runs"][0];
   r.n = first["n"], r.particles = first["particles"], r.steps = first["steps"];
   r.updates = first["updates"], r.pairs = first["pair_interactions"], r.bytes = first["peak_memory_bytes"];
@@ -68,12 +73,15 @@ StudyResult result_of(const StudyPoint& point, const Json& entry, const std::str
   for (const Json& run : entry["runs"]) {
     r.wall = std::min<double>(r.wall, run["wall_seconds"]);
     r.cpu = std::min<double>(r.cpu, run["cpu_seconds"]);
+    if (run.contains("joules") && run["joules"].is_number())
+      r.joules = std::min<double>(r.joules.value_or(1e300), run["joules"]);
   }
-  if (first["errors"].contains(norm))
-    r.error = first["errors"][norm]["l1"];
-  else
-    r.failure = first["errors"].empty() ? "the scene has no exact solution"
-                                        : fmt::format("no norm of \"{}\"; choose another with --norm", norm);
+  for (const char* kind : {"errors", "deviations"})
+    if (first.contains(kind) && first[kind].contains(norm)) {
+      r.error = first[kind][norm]["l1"];
+      return r;
+    }
+  r.failure = fmt::format("no norm of \"{}\"; choose another with --norm", norm);
   return r;
 }
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "src/cli/commands.hpp"
+#include "src/study/plan.hpp"
 #include "src/study/results.hpp"
 
 namespace sphk {
@@ -18,7 +18,7 @@ struct StudyRecord {
 };
 
 /// The record in this folder, or a new one. Throws InputError where it is of another scene or of other --set keys.
-StudyRecord open_record(const StudyOptions& options, const std::filesystem::path& folder);
+StudyRecord open_record(const StudyPlan& plan, const std::filesystem::path& folder);
 
 /// The record in that file, or in that folder; throws InputError where there is none.
 StudyRecord read_record(const std::filesystem::path& path);

@@ -14,7 +14,8 @@ std::string StudyPoint::method() const {
   std::string label;
   for (const auto& [key, text] : keys) {
     if (key == resolution_key) continue;
-    const bool speaks = key == "sph.scheme" || key == "sph.kernel" || key == "sph.neighbours" || key == "sph.precision";
+    const bool number = key == "sph.neighbours" && !label.empty();  // as in "hoct4 442"
+    const bool speaks = number || key == "sph.scheme" || key == "sph.kernel" || key == "sph.precision";
     label += (label.empty() ? "" : " ") + (speaks ? text : key + "=" + text);
   }
   return label.empty() ? "the scene's own" : label;
@@ -22,8 +23,10 @@ std::string StudyPoint::method() const {
 
 std::string StudyPoint::name() const {
   std::string text;
-  for (const auto& [key, value] : keys)
-    text += (text.empty() ? "" : "_") + key.substr(key.rfind('.') + 1) + "-" + value;
+  for (const auto& [key, value] : keys) {
+    const bool plain = key.starts_with("sph.") || key.starts_with("scene.");  // the names in these two are unlike
+    text += (text.empty() ? "" : "_") + (plain ? key.substr(key.find('.') + 1) : key) + "-" + value;
+  }
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '_') c = '_';
   return text.empty() ? "point" : text;

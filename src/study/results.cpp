@@ -11,8 +11,18 @@ namespace sphk {
 
 namespace {
 
-bool is_valid(const StudyResult& r) {
-  return r.failure.empty();
+/// Results that logarithms can be taken of, by rising cost.
+std::vector<StudyResult> measured(const std::vector<StudyResult>& results) {
+  std::vector<StudyResult> runs;
+  std::ranges::copy_if(results, std::back_inserter(runs),
+                       [](const StudyResult& r) { return r.valid() && r.error > 0 && r.cpu > 0; });
+  std::ranges::sort(runs, {}, &StudyResult::cpu);
+  return runs;
+}
+
+/// y between (x1, y1) and (x2, y2), or beyond, on a straight line of logarithms.
+double on_power_law(double x, double x1, double y1, double x2, double y2) {
+  return y1 * std::pow(y2 / y1, std::log(x / x1) / std::log(x2 / x1));
 }
 
 }  // namespace
@@ -20,7 +30,7 @@ bool is_valid(const StudyResult& r) {
 std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
   double count = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const StudyResult& r : results) {
-    if (!is_valid(r) || !(r.error > 0) || !(r.n > 0)) continue;
+    if (!r.valid() || !(r.error > 0) || !(r.n > 0)) continue;
     const double a = std::log(r.n), b = std::log(r.error);
     count += 1, x += a, y += b, xx += a * a, xy += a * b;
   }
@@ -30,24 +40,44 @@ std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
 }
 
 TimeToTarget time_to_target(const std::vector<StudyResult>& results, double target) {
-  std::vector<StudyResult> runs;
-  std::ranges::copy_if(results, std::back_inserter(runs),
-                       [](const StudyResult& r) { return is_valid(r) && r.error > 0; });
-  std::ranges::sort(runs, {}, &StudyResult::cpu);
+  const std::vector<StudyResult> runs = measured(results);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs[k].error > target) continue;
     if (k == 0) return {TimeToTarget::How::at_once, runs[0].cpu};
     const StudyResult &worse = runs[k - 1], &better = runs[k];
-    const double share = std::log(worse.error / target) / std::log(worse.error / better.error);
-    return {TimeToTarget::How::interpolated, worse.cpu * std::pow(better.cpu / worse.cpu, share)};
+    return {TimeToTarget::How::interpolated, on_power_law(target, worse.error, worse.cpu, better.error, better.cpu)};
   }
   return {};
+}
+
+std::optional<Expectation> error_within(const std::vector<StudyResult>& results, double cpu) {
+  constexpr double farthest = 60;
+  const std::vector<StudyResult> runs = measured(results);
+  if (runs.empty() || cpu < runs.front().cpu) return std::nullopt;
+  const StudyResult& dearest = runs.back();
+  Expectation expectation{dearest.point.method(), dearest.error, dearest.n, cpu > dearest.cpu};
+  if (runs.size() < 2 || cpu == dearest.cpu) return cpu == dearest.cpu ? std::optional(expectation) : std::nullopt;
+  if (cpu > farthest * dearest.cpu) return std::nullopt;
+  const auto next = std::ranges::upper_bound(runs, cpu, {}, &StudyResult::cpu);
+  const StudyResult& b = next == runs.end() ? dearest : *next;
+  const StudyResult& a = next == runs.end() ? runs[runs.size() - 2] : *(next - 1);
+  expectation.error = on_power_law(cpu, a.cpu, a.error, b.cpu, b.error);
+  if (a.n > 0 && b.n > 0) expectation.n = on_power_law(cpu, a.cpu, a.n, b.cpu, b.n);
+  return expectation;
+}
+
+std::optional<Expectation> best_within(const std::vector<StudyResult>& results, double cpu) {
+  std::optional<Expectation> best;
+  for (const auto& group : by_method(results))
+    if (const auto expectation = error_within(group, cpu); expectation && (!best || expectation->error < best->error))
+      best = expectation;
+  return best;
 }
 
 std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& results) {
   std::vector<std::vector<StudyResult>> groups;
   for (const StudyResult& r : results) {
-    if (!is_valid(r)) continue;
+    if (!r.valid()) continue;
     const auto group =
         std::ranges::find_if(groups, [&](const auto& g) { return g[0].point.method() == r.point.method(); });
     if (group == groups.end())
@@ -62,52 +92,106 @@ std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& 
 std::vector<bool> pareto_front(const std::vector<StudyResult>& results) {
   std::vector<bool> front;
   for (const StudyResult& r : results)
-    front.push_back(is_valid(r) && std::ranges::none_of(results, [&](const StudyResult& other) {
-                      return is_valid(other) && other.error <= r.error && other.cpu <= r.cpu &&
+    front.push_back(r.valid() && std::ranges::none_of(results, [&](const StudyResult& other) {
+                      return other.valid() && other.error <= r.error && other.cpu <= r.cpu &&
                              (other.error < r.error || other.cpu < r.cpu);
                     }));
   return front;
 }
 
-std::string study_table(const std::vector<StudyResult>& results, const std::string& norm) {
+Table study_table(const std::vector<StudyResult>& results, const std::string& norm) {
   std::vector<StudyResult> rows = results;
   std::ranges::stable_sort(rows, [](const StudyResult& a, const StudyResult& b) {
-    return is_valid(a) != is_valid(b) ? is_valid(a) : a.cpu < b.cpu;
+    return a.valid() != b.valid() ? a.valid() : a.valid() && a.cpu < b.cpu;
   });
   const std::vector<bool> front = pareto_front(rows);
-  std::size_t width = 6;
-  for (const StudyResult& r : rows) width = std::max(width, r.point.method().size());
-  std::string text =
-      fmt::format("  {:<{}} {:>6} {:>9} {:>10} {:>9} {:>7} {:>9} {:>9} {:>12} {:>10}\n", "method", width, "n",
-                  "particles", "L1(" + norm + ")", "dE/E", "steps", "wall s", "CPU s", "updates/s", "memory");
+  const bool energy = std::ranges::any_of(rows, [](const StudyResult& r) { return r.joules.has_value(); });
+  Table table{{"method", "n", "particles", "L1(" + norm + ")", "dE/E", "steps", "wall s", "CPU s", "updates/s",
+               "memory", "best"},
+              {}};
+  if (energy) table.head.insert(table.head.end() - 1, "uJ/update");
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const StudyResult& r = rows[k];
-    if (!is_valid(r)) {
-      text +=
-          fmt::format("  {:<{}} {:>6} failed: {}\n", r.point.method(), width, r.point.value(resolution_key), r.failure);
-      continue;
-    }
-    text += fmt::format("  {:<{}} {:>6g} {:>9g} {:>10.4g} {:>9.1e} {:>7g} {:>9.3g} {:>9.3g} {:>12} {:>10}{}\n",
-                        r.point.method(), width, r.n, r.particles, r.error, r.energy_drift, r.steps, r.wall, r.cpu,
-                        with_prefix(r.wall > 0 ? r.updates / r.wall : 0), bytes_text(r.bytes), front[k] ? "  *" : "");
+    std::vector<std::string> row{r.point.method(), r.point.value(resolution_key)};
+    if (r.valid())
+      row = {r.point.method(),
+             fmt::format("{:g}", r.n),
+             fmt::format("{:g}", r.particles),
+             fmt::format("{:.4g}", r.error),
+             fmt::format("{:.1e}", r.energy_drift),
+             fmt::format("{:g}", r.steps),
+             fmt::format("{:.3g}", r.wall),
+             fmt::format("{:.3g}", r.cpu),
+             with_prefix(r.wall > 0 ? r.updates / r.wall : 0),
+             bytes_text(r.bytes)};
+    row.resize(table.head.size(), "-");
+    if (r.valid() && r.joules) row[row.size() - 2] = fmt::format("{:.3g}", 1e6 * *r.joules / r.updates);
+    row.back() = !r.valid() ? "failed" : front[k] ? "*" : "";
+    table.rows.push_back(row);
   }
-  text += "  * no other run has a smaller error in less CPU time\n";
-  for (const auto& group : by_method(results))
-    if (const auto order = fitted_order(group))
-      text += fmt::format("  {:<{}} order of convergence in n {:.2f}\n", group[0].point.method(), width, *order);
-  return text;
+  return table;
 }
 
-std::string target_lines(const std::vector<StudyResult>& results, double target) {
-  std::string text = fmt::format("CPU seconds to an error of {:g}:\n", target);
+Table order_table(const std::vector<StudyResult>& results) {
+  Table table{{"method", "order of convergence in n"}, {}};
+  for (const auto& group : by_method(results))
+    if (const auto order = fitted_order(group))
+      table.rows.push_back({group[0].point.method(), fmt::format("{:.2f}", *order)});
+  return table;
+}
+
+Table target_table(const std::vector<StudyResult>& results, double target) {
+  Table table{{"method", fmt::format("CPU s to an error of {:g}", target)}, {}};
   for (const auto& group : by_method(results)) {
     const TimeToTarget time = time_to_target(group, target);
-    const std::string what = time.how == TimeToTarget::How::not_reached ? "not reached"
-                             : time.how == TimeToTarget::How::at_once   ? fmt::format("below {:.3g}", time.cpu)
-                                                                        : fmt::format("{:.3g}", time.cpu);
-    text += fmt::format("  {:<24} {}\n", group[0].point.method(), what);
+    table.rows.push_back({group[0].point.method(), time.how == TimeToTarget::How::not_reached ? "not reached"
+                                                   : time.how == TimeToTarget::How::at_once
+                                                       ? fmt::format("below {:.3g}", time.cpu)
+                                                       : fmt::format("{:.3g}", time.cpu)});
   }
-  return text;
+  return table;
+}
+
+Table budget_table(const std::vector<StudyResult>& results, const std::vector<double>& budgets) {
+  Table table{{"CPU time", "best method", "n", "error"}, {}, {0, 1}};
+  for (const double budget : budgets) {
+    const auto best = best_within(results, budget);
+    if (best)
+      table.rows.push_back({duration_text(budget), best->method, fmt::format("{:.0f}", best->n),
+                            fmt::format("{:.3g}{}", best->error, best->extrapolated ? " (extrapolated)" : "")});
+    else
+      table.rows.push_back({duration_text(budget), "no run comes near", "-", "-"});
+  }
+  return table;
+}
+
+Table others_table(const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others) {
+  Table table{{"other engine", "error", "CPU s there", "CPU s here", "ratio", "method here"}, {}, {0, 5}};
+  for (const OtherPoint& other : others) {
+    std::optional<TimeToTarget> best;
+    std::string method;
+    for (const auto& group : by_method(results)) {
+      const TimeToTarget time = time_to_target(group, other.error);
+      if (time.how == TimeToTarget::How::not_reached || (best && best->cpu <= time.cpu)) continue;
+      best = time;
+      method = group[0].point.method();
+    }
+    std::vector<std::string> row{other.engine + ", " + other.setting,
+                                 fmt::format("{:.3g}", other.error),
+                                 fmt::format("{:.3g}", other.cpu),
+                                 "not reached",
+                                 "",
+                                 ""};
+    if (best) {
+      const double ratio = other.cpu / best->cpu;
+      const bool below = best->how == TimeToTarget::How::at_once;  // the cheapest run is better already
+      row[3] = fmt::format("{}{:.3g}", below ? "below " : "", best->cpu);
+      row[4] = fmt::format("{}{:.{}f}", below ? "over " : "", ratio, ratio < 10 ? 1 : 0);
+      row[5] = method;
+    }
+    table.rows.push_back(row);
+  }
+  return table;
 }
 
 }  // namespace sphk

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "src/report/table.hpp"
+#include "src/study/others.hpp"
 #include "src/study/points.hpp"
 
 namespace sphk {
@@ -15,8 +17,11 @@ struct StudyResult {
   double n = 0, particles = 0, steps = 0;
   double error = 0;  ///< the study's norm
   double energy_drift = 0;
-  double wall = 0, cpu = 0;
+  double wall = 0, cpu = 0;  ///< of a failure: the wall-clock seconds until then, for both
   double updates = 0, pairs = 0, bytes = 0;
+  std::optional<double> joules;  ///< the least of the repeats
+
+  bool valid() const { return failure.empty(); }
 };
 
 /// Fitted order of convergence of one method: - d ln(error) / d ln(n) by least squares; nothing below two points.
@@ -31,15 +36,35 @@ struct TimeToTarget {
 /// Between the cheapest run below the target and the next cheaper one, interpolated in log(error) and log(seconds).
 TimeToTarget time_to_target(const std::vector<StudyResult>& of_one_method, double target);
 
+/// The error that a method reaches in so many CPU seconds.
+struct Expectation {
+  std::string method;
+  double error = 0;
+  double n = 0;               ///< interpolated as well
+  bool extrapolated = false;  ///< beyond the dearest run, along the last two
+};
+
+/// Interpolated in log(seconds) between a method's runs; beyond the dearest one by at most a factor 60. Nothing where
+/// the method has no run so cheap.
+std::optional<Expectation> error_within(const std::vector<StudyResult>& of_one_method, double cpu);
+/// The method with the smallest such error.
+std::optional<Expectation> best_within(const std::vector<StudyResult>& results, double cpu);
+
 /// Results without failure, by method, in the order of first appearance; each by rising cost.
 std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& results);
 
 /// Which results no other beats both in error and in CPU seconds.
 std::vector<bool> pareto_front(const std::vector<StudyResult>& results);
 
-/// The table of a study, by rising cost; failures at its end.
-std::string study_table(const std::vector<StudyResult>& results, const std::string& norm);
-/// One line a method: when it reaches the target.
-std::string target_lines(const std::vector<StudyResult>& results, double target);
+/// All results by rising cost, a star at those on the front; failures at the end.
+Table study_table(const std::vector<StudyResult>& results, const std::string& norm);
+/// Fitted orders of the methods.
+Table order_table(const std::vector<StudyResult>& results);
+/// When each method reaches the target.
+Table target_table(const std::vector<StudyResult>& results, double target);
+/// What is best for so many CPU seconds.
+Table budget_table(const std::vector<StudyResult>& results, const std::vector<double>& budgets);
+/// When the fastest method here reaches what others reach.
+Table others_table(const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others);
 
 }  // namespace sphk

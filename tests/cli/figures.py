@@ -1,12 +1,16 @@
 """`sphk plot` gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
 
+import base64
 import csv
+import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+from html.parser import HTMLParser
 
 try:
     import h5py  # noqa: F401
@@ -28,6 +32,26 @@ def share(pixels, colour):
     """Part of the pixels that have this colour, #rrggbb, within 2 of 255."""
     wanted = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
     return (abs(pixels - wanted).max(1) < 2.5 / 255).mean()
+
+
+class Page(HTMLParser):
+    """The words of a page, and which elements are still open."""
+
+    VOID = {"meta", "img", "br"}
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.words = [], []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag, tag
+
+    def handle_data(self, data):
+        self.words.append(data)
 
 
 class Figures(unittest.TestCase):
@@ -123,11 +147,10 @@ class Figures(unittest.TestCase):
                  "--out", "study")
         text = self.sphk(*study)
         self.assertIn("4 points of sod, 4 of them to run", text)
-        self.assertIn("CPU seconds to an error of 0.2", text)
+        self.assertIn("CPU s to an error of 0.2", text)
         self.assertIn("4 points of sod, 0 of them to run", self.sphk(*study))
         self.assertIn("1 of them to run", self.sphk(*study[:3], "8,16,24", "--scheme", "sph", *study[6:]))
-        with open(os.path.join(self.folder, "study", "study.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        rows = self.rows("study/study.csv")
         self.assertEqual([row["n"] for row in rows], ["8", "16", "24"])
         self.assertTrue(all(float(row["error"]) > 0 and float(row["cpu_seconds"]) > 0 for row in rows))
         self.assertGreater(share(colours(os.path.join(self.folder, "study", "study.png"))[0], "#0072b2"), 1e-4)
@@ -145,6 +168,78 @@ class Figures(unittest.TestCase):
         self.assertIn("is no study", self.sphk("study", "compare", "study", "run", code=2))
         self.assertIn("gadget2", self.sphk("study", "sod", "--scheme", "gadget", "--out", "bad", code=2))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "bad")), "nothing runs where a name is wrong")
+
+    def rows(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def test_a_study_file_gives_a_report_with_failures_and_other_engines(self):
+        self.write("mine.toml", 'scene = "sod"\ntarget = 0.5\nbudgets = [10]\nothers = "peers.csv"\nrepeat = 2\n'
+                                "[set]\nscene.dimension = 1\n[vary]\nscene.n = [8, 16]\n"
+                                '[[methods]]\nsph.scheme = "gadget2"\n'
+                                "[[methods]]\nsph.neighbours = 1\n")  # fewer than the particle itself counts for
+        self.write("peers.csv", "engine,setting,error,cpu_seconds,machine\nSWIFT,classic <48>,0.4,1e6,A machine\n")
+        text = self.sphk("study", "mine.toml", "--report", "report.html")
+        self.assertIn("4 points of sod, 4 of them to run, 2 times each in mine", text)
+        self.assertRegex(text, r"SWIFT, classic <48> +0.4 +1e\+06 +below 0\.0")
+        rows = self.rows("mine/study.csv")
+        self.assertEqual([row["failure"] != "" for row in rows], [False, False, True, True])
+        with open(os.path.join(self.folder, "mine", "study.json"), encoding="utf-8") as file:
+            points = json.load(file)["points"]
+        runs = points["scheme-gadget2_n-16"]["runs"]
+        self.assertEqual(len(runs), 2)
+        self.assertAlmostEqual(float(rows[1]["cpu_seconds"]), min(run["cpu_seconds"] for run in runs), delta=1e-5)
+        with open(os.path.join(self.folder, "report.html"), encoding="utf-8") as file:
+            page = file.read()
+        figure = re.search(r'src="data:image/png;base64,([^"]+)"', page).group(1)
+        with open(os.path.join(self.folder, "mine", "study.png"), "rb") as file:
+            self.assertEqual(base64.b64decode(figure), file.read())
+        parser = Page()
+        parser.feed(page)
+        self.assertEqual(parser.open, [], "every element is closed")
+        self.assertIn("SWIFT, classic <48>", parser.words)
+        self.assertIn("failed", parser.words)
+        self.assertIn("A machine", " ".join(parser.words))
+
+    def test_a_study_of_layers_measures_their_distance_from_converged_runs(self):
+        self.sphk("study", "mcnally", "-n", "8,16", "--set", "time.end=0.6", "--out", "layers-study")
+        rows = self.rows("layers-study/study.csv")
+        for row in rows:  # the only reference up to then: M = 0.0105 at t = 0.5
+            history = self.rows(f"layers-study/points/n-{row['n']}/history.csv")
+            M = next(float(h["M"]) for h in history if abs(float(h["time"]) - 0.5) < 1e-9)
+            self.assertAlmostEqual(float(row["error"]), abs(M - 0.0105) / 0.0105, places=6)
+        self.assertIn("scene.edges=soft", self.sphk("study", "kh12", "-n", "8", code=2))
+        self.assertIn("neither an exact solution", self.sphk("study", "shearing", "-n", "8", code=2))
+        self.assertIn("--norm M", self.sphk("study", "mcnally", "--norm", "v", code=2))
+
+    def test_a_stopped_study_goes_on(self):
+        study = [SPHK, "study", "sod", "-n", "48", "--scheme", "sphs,sph", "--set", "scene.across=8", "--out", "stopped"]
+        running = subprocess.Popen(study, cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        log = os.path.join(self.folder, "stopped", "points", "scheme-sphs_n-48.log")
+        while running.poll() is None and not (os.path.exists(log) and os.path.getsize(log) > 0):
+            time.sleep(0.002)
+        running.terminate()
+        text = running.communicate()[0]
+        self.assertEqual(running.returncode, 75, text)
+        self.assertIn("goes on where it was", text)
+        self.assertIn("of them to run", self.sphk(*study[1:]))
+        self.assertTrue(all(float(row["error"]) > 0 for row in self.rows("stopped/study.csv")))
+
+    def test_the_gallery_is_one_page_with_a_picture_a_scene(self):
+        text = self.sphk("gallery", "uniform", "gresho", "--out", "gallery")
+        self.assertIn("[2/2] uniform", text)
+        with open(os.path.join(self.folder, "gallery", "index.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertEqual(page.count("data:image/png;base64,"), 2)
+        parser = Page()
+        parser.feed(page)
+        self.assertEqual(parser.open, [])
+        self.assertGreater(share(colours(os.path.join(self.folder, "gallery", "gallery.png"))[0], "#d55e00"), 1e-3)
+        self.assertIn("gresho", self.sphk("gallery", "grecho", code=2))
 
     def test_stability_maps_have_stable_and_unstable_parts(self):
         text = self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "square", "--out", "maps")

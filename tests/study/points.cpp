@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "src/study/presets.hpp"
-
 namespace sphk {
 namespace {
 
@@ -24,18 +20,8 @@ TEST(StudyPoints, AreNamedByWhatTheyVary) {
   EXPECT_EQ(point.method(), "sphs liq0.4");
   EXPECT_EQ((StudyPoint{{{"sph.scheme", "sphs"}, {"viscosity.alpha", "0"}}}).method(), "sphs viscosity.alpha=0");
   EXPECT_EQ(point.name(), "scheme-sphs_n-32_kernel-liq0.4");
+  EXPECT_NE((StudyPoint{{{"viscosity.alpha", "1"}}}).name(), (StudyPoint{{{"switch.alpha", "1"}}}).name());
   EXPECT_EQ((StudyPoint{{{"scene.file", "../a b"}}}).name(), "file-.._a_b");
-}
-
-TEST(StudyPresets, HaveUnlikePointsWithResolutions) {
-  for (const StudyPreset& preset : study_presets()) {
-    std::set<std::string> names;
-    for (const StudyPoint& point : preset.points) {
-      EXPECT_NE(point.value(resolution_key), "") << preset.name;
-      EXPECT_TRUE(names.insert(point.name()).second) << preset.name << ": " << point.name();
-    }
-    EXPECT_GT(names.size(), 1u) << preset.name;
-  }
 }
 
 }  // namespace

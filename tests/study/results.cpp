@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace sphk {
 namespace {
 
@@ -40,15 +42,55 @@ TEST(StudyResults, TheFrontHoldsWhatNothingBeats) {
   EXPECT_EQ(pareto_front(results), (std::vector<bool>{true, false, true, false, false}));
 }
 
+// Errors 0.4 and 0.1 at 1 s and 16 s with n = 1 and 4: 0.2 and 2 at 4 s; four times the time halves the error.
+TEST(StudyResults, ABudgetIsSpentOnWhatReachesTheSmallestError) {
+  const std::vector<StudyResult> a{result("a", 4, 0.1, 16), result("a", 1, 0.4, 1)};
+  EXPECT_NEAR(error_within(a, 4)->error, 0.2, 1e-12);
+  EXPECT_NEAR(error_within(a, 4)->n, 2, 1e-12);
+  EXPECT_FALSE(error_within(a, 4)->extrapolated);
+  EXPECT_NEAR(error_within(a, 16)->error, 0.1, 1e-12);
+  EXPECT_NEAR(error_within(a, 64)->error, 0.05, 1e-12);
+  EXPECT_TRUE(error_within(a, 64)->extrapolated);
+  EXPECT_FALSE(error_within(a, 0.5)) << "no run is so cheap";
+  EXPECT_FALSE(error_within(a, 1000)) << "too far beyond the dearest run";
+  std::vector<StudyResult> both = a;
+  both.push_back(result("b", 1, 0.3, 2));
+  both.push_back(result("b", 2, 0.25, 32));
+  EXPECT_EQ(best_within(both, 1)->method, "a");
+  EXPECT_EQ(best_within(both, 2)->method, "a") << "0.28 by then";
+  EXPECT_EQ(best_within(both, 16)->method, "a");
+  both[2].error = 0.2;
+  EXPECT_EQ(best_within(both, 2)->method, "b");
+}
+
+std::string text_of(const std::vector<std::string>& row) {
+  std::string text;
+  for (const auto& word : row) text += word + "|";
+  return text;
+}
+
+TEST(StudyResults, OthersAreMetByTheFastestMethod) {
+  const std::vector<StudyResult> results{result("a", 4, 0.1, 16), result("a", 1, 0.4, 1), result("b", 1, 0.1, 8),
+                                         result("b", 2, 0.05, 80)};
+  const Table table =
+      others_table(results, {{"X", "slow", 0.2, 400, ""}, {"Y", "good", 0.1, 40, ""}, {"Z", "best", 0.01, 1, ""}});
+  EXPECT_EQ(text_of(table.rows[0]), "X, slow|0.2|400|4|100|a|");
+  EXPECT_EQ(text_of(table.rows[1]), "Y, good|0.1|40|below 8|over 5.0|b|");
+  EXPECT_EQ(text_of(table.rows[2]), "Z, best|0.01|1|not reached|||");
+}
+
 TEST(StudyResults, TheTableIsSortedByCostWithFailuresLast) {
   std::vector<StudyResult> results{result("slow", 1, 0.1, 16), result("broken", 1, 0, 0), result("quick", 1, 0.4, 1)};
   results[1].failure = "a clear sentence";
-  const std::string text = study_table(results, "v");
-  const auto at = [&](const char* word) { return text.find(word); };
-  EXPECT_LT(at("quick"), at("slow"));
-  EXPECT_LT(at("slow"), at("broken"));
-  EXPECT_NE(at("failed: a clear sentence"), std::string::npos);
-  EXPECT_NE(at("L1(v)"), std::string::npos);
+  results[2].joules = 3, results[2].updates = 1e6;
+  const Table table = study_table(results, "v");
+  EXPECT_EQ(table.rows[0][0], "quick");
+  EXPECT_EQ(table.rows[1][0], "slow");
+  EXPECT_EQ(table.rows[2][0], "broken");
+  EXPECT_EQ(table.rows[2].back(), "failed");
+  const auto column = std::ranges::find(table.head, "uJ/update") - table.head.begin();
+  EXPECT_EQ(table.rows[0][column], "3");
+  EXPECT_EQ(table.rows[1][column], "-");
 }
 
 }  // namespace

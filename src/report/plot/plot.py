@@ -21,6 +21,7 @@ except ImportError:
 
 from density_map import draw_density_maps
 from errors import draw_errors
+from gallery import draw_gallery
 from history import draw_conservation, draw_history, errors_at, read_history
 from kernels import draw_kernels
 from profiles import draw_one_field, draw_profiles
@@ -44,6 +45,9 @@ def main():
         return
     if work.get("study"):
         draw_study(work)
+        return
+    if work.get("gallery"):
+        draw_gallery(work["gallery"], work["out"])
         return
     if work.get("kernels"):
         draw_kernels(work["kernels"], work["out"])

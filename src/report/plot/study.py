@@ -4,6 +4,10 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from style import LINES, MARKERS, plt, save
 
+STROKES = ["-", "--", ":"]  # once all colours are used
+OTHERS = "#8a8a8a"
+MOST_LABELS = 14  # more points are labelled on the front alone
+
 
 def pareto(points):
     """Points by rising cost that have a smaller error than all cheaper ones."""
@@ -13,6 +17,11 @@ def pareto(points):
             best = point["error"]
             front.append(point)
     return front
+
+
+def look_of(k):
+    return {"color": LINES[k % len(LINES)], "marker": MARKERS[k % len(MARKERS)], "ms": 6,
+            "ls": STROKES[k // len(LINES) % len(STROKES)]}
 
 
 def draw_line(axes, points, x, y, look):
@@ -28,31 +37,80 @@ def plain_ticks(axis, low, high):
     axis.set_minor_formatter(NullFormatter())
 
 
+def draw_others(axes, others):
+    """Runs of other engines in grey, a mark each engine; the legend names their machine."""
+    handles = []
+    for k, engine in enumerate(dict.fromkeys(o["engine"] for o in others)):
+        own = [o for o in others if o["engine"] == engine]
+        handles += axes.plot([o["error"] for o in own], [o["cpu"] for o in own], ls="", ms=9, mew=1.6, mfc="none",
+                             color=OTHERS, marker=MARKERS[k % len(MARKERS)], label=engine)
+    return handles
+
+
+def draw_failures(seconds, order, failures, looks):
+    """Hollow marks at the panels' worse edges: they have a cost and a resolution, but no error."""
+    for failure in failures:
+        look = looks[failure["method"]] | {"ls": "", "mfc": "white", "mew": 1.5, "ms": 10, "clip_on": False, "zorder": 5}
+        if failure["cpu"] > 0:
+            seconds.plot(0.985, failure["cpu"], transform=seconds.get_yaxis_transform(), **look)
+        if failure["n"] > 0:
+            order.plot(failure["n"], 0.985, transform=order.get_xaxis_transform(), **look)
+    if failures:
+        order.annotate("hollow: failed runs", (1.0, 1.01), xycoords="axes fraction", fontsize=10, ha="right",
+                       va="bottom", color="#555555")
+
+
 def draw_study(work):
-    lines, error = work["study"], f"$L_1$ error of {work['norm']}"
-    figure, panels = plt.subplots(2, 2, figsize=(14, 10.5), constrained_layout=True)
+    lines, failures, others = work["study"], work["failures"], work["others"]
+    error = f"$L_1$ {'deviation' if work['relative'] else 'error'} of {work['norm']}"
+    figure, panels = plt.subplots(2, 2, figsize=(14, 11), constrained_layout=True)
     (seconds, order), (pairs, drift) = panels
-    front = pareto([point for line in lines for point in line["points"]])
-    seconds.plot([p["error"] for p in front], [p["cpu"] for p in front], "-", lw=7, color="#dddddd", zorder=0,
-                 label="nothing is better and cheaper")
-    for k, line in enumerate(lines):
-        look = {"color": LINES[k % len(LINES)], "marker": MARKERS[k % len(MARKERS)], "ms": 6, "label": line["method"]}
-        draw_line(seconds, line["points"], "error", "cpu", look)
+    points = [point for line in lines for point in line["points"]]
+    front = pareto(points)
+    seconds.plot([p["error"] for p in front], [p["cpu"] for p in front], "-", lw=8, color="#dcdcdc", zorder=0,
+                 solid_capstyle="round", label="nothing is better and cheaper")
+    methods = list(dict.fromkeys([line["method"] for line in lines] + [f["method"] for f in failures]))
+    looks = {method: look_of(k) for k, method in enumerate(methods)}
+    for line in lines:
+        look = looks[line["method"]]
+        fitted = "" if line["order"] is None else f" (order {line['order']:.2f})"
+        draw_line(seconds, line["points"], "error", "cpu", look | {"label": line["method"] + fitted})
         for point in line["points"]:
-            seconds.annotate(f"{point['n']:g}", (point["error"], point["cpu"]), textcoords="offset points",
-                             xytext=(6, 4), fontsize=9, color=look["color"])
-        fitted = "" if line["order"] is None else f", order {line['order']:.2f}"
-        draw_line(order, line["points"], "n", "error", look | {"label": line["method"] + fitted})
+            if len(points) <= MOST_LABELS or point in front:
+                seconds.annotate(f"{point['n']:g}", (point["error"], point["cpu"]), textcoords="offset points",
+                                 xytext=(6, 4), fontsize=10, color=look["color"])
+        draw_line(order, line["points"], "n", "error", look)
         draw_line(pairs, line["points"], "pairs", "error", look)
         draw_line(drift, line["points"], "n", "drift", look)
+    grey = draw_others(seconds, others)
     if work["target"] > 0:
-        seconds.axvline(work["target"], color="black", ls=":", lw=1.2)
-    for axes, x, y in ((seconds, error, "CPU seconds"), (order, "particles along the box, n", error),
-                       (pairs, "pair interactions", error), (drift, "particles along the box, n", "drift of energy")):
+        seconds.axvline(work["target"], color="black", ls=":", lw=1.2, zorder=1)
+        seconds.annotate(f"target {work['target']:g}", (work["target"], 0.99), rotation=90, fontsize=10, va="top",
+                         xycoords=seconds.get_xaxis_transform(), xytext=(3, 0), textcoords="offset points")
+    for axes, x, y in ((seconds, error, "CPU seconds"), (order, "particles along the box, $n$", error),
+                       (pairs, "pair interactions", error), (drift, "particles along the box, $n$",
+                                                             "relative drift of the energy")):
         axes.set(xlabel=x, ylabel=y, xscale="log", yscale="log")
         plain_ticks(axes.xaxis, *axes.get_xlim())
         plain_ticks(axes.yaxis, *axes.get_ylim())
-    seconds.legend()
-    order.legend()
+    draw_failures(seconds, order, failures, looks)
+    for axes in (order, drift):
+        ticks = sorted({p["n"] for p in points} | {f["n"] for f in failures if f["n"] > 0})
+        axes.set_xticks(ticks, [f"{n:g}" for n in ticks])
+        axes.set_xlim(min(ticks) / 1.15, max(ticks) * 1.15)
+        axes.minorticks_off()
+    rows = -(-(len(lines) + 1) // 3)
+    handles, labels = seconds.get_legend_handles_labels()
+    own = [k for k, label in enumerate(labels) if label not in {o["engine"] for o in others}]
+    top = 0.026 * rows + (0.026 if others else 0)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 0.99 - top), w_pad=0.12, h_pad=0.12)
+    figure.legend([handles[k] for k in own], [labels[k] for k in own], loc="upper center", ncol=3,
+                  bbox_to_anchor=(0.5, 0.965))
+    if others:
+        machines = "; ".join(dict.fromkeys(o["machine"] for o in others))
+        figure.legend(grey, [h.get_label() for h in grey], loc="upper center", ncol=len(grey),
+                      bbox_to_anchor=(0.5, 0.965 - 0.025 * rows))
+        seconds.annotate(f"grey: on {machines}", (0.01, 1.0), xycoords="axes fraction", fontsize=10, va="bottom",
+                         color="#555555")
     figure.suptitle(work["title"], fontsize=15)
     save(figure, work["out"])

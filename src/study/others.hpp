@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sphk {
+
+/// A run of another engine, or of this one elsewhere, as its user reported it.
+struct OtherPoint {
+  std::string engine;   ///< "SWIFT SPHENIX"
+  std::string setting;  ///< neighbours, resolution, ...
+  double error = 0;     ///< by the study's norm
+  double cpu = 0;       ///< CPU seconds
+  std::string machine;  ///< on which they were spent
+};
+
+/// Reads a CSV file with the columns engine, setting, error, cpu_seconds, machine, in any order and named in the first
+/// line; lines that begin with # are comments, no value has a comma in it. Throws InputError with file and line.
+std::vector<OtherPoint> read_others(const std::filesystem::path& path);
+
+}  // namespace sphk

@@ -1,0 +1,146 @@
+#include "src/study/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <toml.hpp>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void refuse(const toml::value& value, const std::string& problem, const std::string& comment) {
+  throw InputError(toml::format_error(problem, value, comment));
+}
+
+toml::value parsed(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("cannot read the study file {}: is the path right?", path.string()));
+  try {
+    return toml::parse(file, path.string());
+  } catch (const std::exception& error) {
+    throw InputError(error.what());
+  }
+}
+
+/// The value as --set would take it.
+std::string text_of(const toml::value& value) {
+  if (value.is_string()) return value.as_string().str;
+  if (value.is_boolean()) return value.as_boolean() ? "true" : "false";
+  if (value.is_integer()) return std::to_string(value.as_integer());
+  if (value.is_floating()) return fmt::format("{}", value.as_floating());
+  refuse(value, "not a value of a key", "one number, string, true or false is wanted here");
+}
+
+double number_of(const toml::value& value) {
+  const double number = value.is_integer()    ? static_cast<double>(value.as_integer())
+                        : value.is_floating() ? value.as_floating()
+                                              : -1;
+  if (!(number > 0)) refuse(value, "not a positive number", "a number above 0 is wanted here");
+  return number;
+}
+
+std::string string_of(const toml::value& value) {
+  if (!value.is_string()) refuse(value, "not a string", "a text in quotation marks is wanted here");
+  return value.as_string().str;
+}
+
+/// A table's keys with their values, sections and all, in the order of the file.
+std::vector<std::pair<std::string, toml::value>> keys_of(const toml::value& table, const std::string& prefix = "") {
+  if (!table.is_table()) refuse(table, "not a table", "keys are wanted here, as in a scene file");
+  std::vector<std::pair<std::string, toml::value>> keys;
+  for (const auto& [leaf, value] : table.as_table())
+    if (value.is_table())
+      std::ranges::move(keys_of(value, prefix + leaf + "."), std::back_inserter(keys));
+    else
+      keys.emplace_back(prefix + leaf, value);
+  std::ranges::stable_sort(keys, {}, [](const auto& key) {
+    const auto place = key.second.location();
+    return std::pair(place.line(), place.column());
+  });
+  return keys;
+}
+
+/// One axis a key: a list's values, or the only one.
+std::vector<StudyAxis> axes_of(const toml::value& table) {
+  std::vector<StudyAxis> axes;
+  for (const auto& [key, value] : keys_of(table)) {
+    axes.push_back({key, {}});
+    if (!value.is_array()) {
+      axes.back().values.push_back(text_of(value));
+      continue;
+    }
+    for (const toml::value& one : value.as_array()) axes.back().values.push_back(text_of(one));
+    if (axes.back().values.empty()) refuse(value, "an empty list", "give at least one value");
+  }
+  return axes;
+}
+
+std::vector<StudyPoint> points_of(const toml::value& file) {
+  const std::vector<StudyAxis> vary = file.contains("vary") ? axes_of(file.at("vary")) : std::vector<StudyAxis>{};
+  if (!file.contains("methods")) return product_of(vary);
+  if (!file.at("methods").is_array())
+    refuse(file.at("methods"), "not a list of methods", "write [[methods]], with two brackets, above each");
+  std::vector<StudyPoint> points;
+  for (const toml::value& method : file.at("methods").as_array()) {
+    std::vector<StudyAxis> axes = axes_of(method);
+    axes.insert(axes.end(), vary.begin(), vary.end());
+    std::ranges::move(product_of(axes), std::back_inserter(points));
+  }
+  return points;
+}
+
+}  // namespace
+
+bool is_study_file(const fs::path& path) {
+  if (path.extension() != ".toml" || !fs::is_regular_file(path)) return false;
+  const toml::value file = parsed(path);
+  return file.contains("vary") || file.contains("methods");
+}
+
+StudyPlan read_study_file(const fs::path& path) {
+  const toml::value file = parsed(path);
+  StudyPlan plan;
+  plan.name = path.stem().string();
+  for (const auto& [name, value] : file.as_table()) {
+    if (name == "scene")
+      plan.scene = string_of(value);
+    else if (name == "summary")
+      plan.summary = string_of(value);
+    else if (name == "norm")
+      plan.norm = string_of(value);
+    else if (name == "target")
+      plan.target = number_of(value);
+    else if (name == "repeat")
+      plan.repeat = static_cast<int>(number_of(value));
+    else if (name == "others")
+      plan.others = path.parent_path() / string_of(value);
+    else if (name == "budgets" && value.is_array())
+      std::ranges::transform(value.as_array(), std::back_inserter(plan.budgets), number_of);
+    else if (name == "set")
+      for (const auto& [key, one] : keys_of(value)) plan.fixed.emplace_back(key, text_of(one));
+    else if (name != "vary" && name != "methods")
+      refuse(value, fmt::format("a study file has no \"{}\"", name),
+             "it has scene, summary, norm, target, budgets (a list), repeat, others, [set], [vary] and [[methods]]");
+  }
+  if (plan.scene.empty())
+    throw InputError(fmt::format("{} names no scene: begin it with a line such as scene = \"sod\"", path.string()));
+  plan.points = points_of(file);
+  return plan;
+}
+
+std::vector<StudyPlan> study_files_in(const fs::path& folder) {
+  std::vector<StudyPlan> plans;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing))
+    if (entry.path().extension() == ".toml") plans.push_back(read_study_file(entry.path()));
+  std::ranges::sort(plans, {}, &StudyPlan::name);
+  return plans;
+}
+
+}  // namespace sphk

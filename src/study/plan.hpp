@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/study/points.hpp"
+
+namespace sphk {
+
+/// What a study runs and asks.
+struct StudyPlan {
+  std::string name;     ///< of its file; empty: it comes from the command line
+  std::string summary;  ///< one line
+  std::string scene;
+  std::string norm;             ///< whose L1 error counts; empty: v, or the first measure that has references
+  double target = 0;            ///< an error to reach; 0: none
+  std::vector<double> budgets;  ///< CPU seconds: which method does best with them?
+  int repeat = 1;
+  std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
+  std::vector<StudyPoint> points;
+  std::filesystem::path others;  ///< file with points of other engines; empty: none
+};
+
+/// Is this a study file: TOML with a list of methods or a table of what to vary?
+bool is_study_file(const std::filesystem::path& path);
+
+/// Reads a study file: `scene`, and all others optional: `summary`, `norm`, `target`, `budgets`, `repeat`, `others` (a
+/// file beside this one), [set] with keys of all runs, [vary] with lists of values, and [[methods]], each with keys of
+/// its own. Keys are written as in a scene file; every method runs with every combination of [vary], and a list in a
+/// method is varied as well. Throws InputError with line and caret.
+StudyPlan read_study_file(const std::filesystem::path& path);
+
+/// Study files of a folder, by name; none where there is no such folder.
+std::vector<StudyPlan> study_files_in(const std::filesystem::path& folder);
+
+}  // namespace sphk

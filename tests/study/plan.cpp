@@ -1,0 +1,133 @@
+#include "src/study/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "src/engine/errors.hpp"
+#include "src/scenes/scene.hpp"
+#include "src/study/gallery.hpp"
+#include "src/study/others.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace sphk {
+namespace {
+
+class StudyPlans : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& text) {
+    const auto path = folder.path() / "mine.toml";
+    std::ofstream(path) << text;
+    return path;
+  }
+  /// What the reader says about such a file.
+  std::string complaint(const std::string& text) {
+    try {
+      read_study_file(write(text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(StudyPlans, AreReadInTheOrderOfTheFile) {
+  const StudyPlan plan = read_study_file(write(R"(scene = "sod"
+norm = "rho"
+target = 0.5
+budgets = [1, 60.5]
+repeat = 2
+others = "peers.csv"
+[set]
+scene = { lattice = "cubic", across = 4 }
+time.limiter = false
+[vary]
+scene.n = [16, 32]
+[[methods]]
+sph.scheme = ["sph", "tsph"]
+sph.neighbours = 48
+[[methods]]
+viscosity.alpha = 0.5
+)"));
+  EXPECT_EQ(plan.name, "mine");
+  EXPECT_EQ(plan.norm, "rho");
+  EXPECT_EQ(plan.target, 0.5);
+  EXPECT_EQ(plan.budgets, (std::vector<double>{1, 60.5}));
+  EXPECT_EQ(plan.repeat, 2);
+  EXPECT_EQ(plan.others, folder.path() / "peers.csv");
+  using Keys = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(plan.fixed, (Keys{{"scene.lattice", "cubic"}, {"scene.across", "4"}, {"time.limiter", "false"}}));
+  ASSERT_EQ(plan.points.size(), 6u) << "two schemes and the other method, at two resolutions";
+  EXPECT_EQ(plan.points[1].keys, (Keys{{"sph.scheme", "sph"}, {"sph.neighbours", "48"}, {"scene.n", "32"}}));
+  EXPECT_EQ(plan.points[2].keys, (Keys{{"sph.scheme", "tsph"}, {"sph.neighbours", "48"}, {"scene.n", "16"}}));
+  EXPECT_EQ(plan.points[5].keys, (Keys{{"viscosity.alpha", "0.5"}, {"scene.n", "32"}}));
+}
+
+TEST_F(StudyPlans, SayWhatIsWrongAndWhere) {
+  EXPECT_NE(complaint("scene = \"sod\"\nnrom = \"v\"\n").find("nrom"), std::string::npos);
+  const std::string text = complaint("scene = \"sod\"\n[vary]\nscene.n = []\n");
+  EXPECT_NE(text.find("empty list"), std::string::npos) << text;
+  EXPECT_NE(text.find("3 |"), std::string::npos) << text;  // the line
+  EXPECT_NE(complaint("scene = \"sod\"\ntarget = -1\n").find("positive"), std::string::npos);
+  EXPECT_NE(complaint("scene = \"sod\"\n[methods]\nsph.scheme = \"sph\"\n").find("[[methods]]"), std::string::npos);
+  EXPECT_NE(complaint("scene = \"sod\"\n[set]\nsph.kernel = [\"cs\"]\n").find("one number"), std::string::npos);
+  EXPECT_NE(complaint("[vary]\nscene.n = [1]\n").find("names no scene"), std::string::npos);
+  EXPECT_FALSE(complaint("scene = \"sod").empty());
+}
+
+TEST_F(StudyPlans, AreToldFromSceneFiles) {
+  EXPECT_TRUE(is_study_file(write("scene = \"sod\"\n[vary]\nscene.n = [8]\n")));
+  EXPECT_FALSE(is_study_file(write("[scene]\nname = \"sod\"\n")));
+  EXPECT_FALSE(is_study_file("sod"));
+}
+
+TEST_F(StudyPlans, OfPresetsHaveUnlikePoints) {
+  const auto presets = study_files_in(SPHK_STUDIES);
+  EXPECT_GE(presets.size(), 6u);
+  for (const StudyPlan& preset : presets) {
+    std::set<std::string> names;
+    for (const StudyPoint& point : preset.points)
+      EXPECT_TRUE(names.insert(point.name()).second) << preset.name << point.name();
+    EXPECT_GT(names.size(), 1u) << preset.name;
+    EXPECT_FALSE(preset.summary.empty()) << preset.name;
+    if (!preset.others.empty()) EXPECT_FALSE(read_others(preset.others).empty()) << preset.name;
+  }
+}
+
+TEST(Gallery, ShowsEveryScene) {
+  std::vector<std::string> shown, all;
+  for (const GalleryTile& tile : gallery_tiles()) shown.push_back(tile.scene);
+  for (const Scene* scene : scenes()) all.push_back(scene->name());
+  EXPECT_EQ(shown, all);
+}
+
+TEST_F(StudyPlans, TakeOtherEnginesFromCsv) {
+  const auto path = folder.path() / "others.csv";
+  const auto complaint = [&](const std::string& text) -> std::string {
+    std::ofstream(path) << text;
+    try {
+      read_others(path);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  std::ofstream(path)
+      << "# measured last year\nmachine,error,engine, setting ,cpu_seconds\nA box, 0.5 ,SWIFT,48 neighbours,2e1\r\n";
+  const auto points = read_others(path);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].engine, "SWIFT");
+  EXPECT_EQ(points[0].setting, "48 neighbours");
+  EXPECT_EQ(points[0].error, 0.5);
+  EXPECT_EQ(points[0].cpu, 20);
+  EXPECT_EQ(points[0].machine, "A box");
+  EXPECT_NE(complaint("engine,error\n").find("no column \"setting\""), std::string::npos);
+  const std::string head = "engine,setting,error,cpu_seconds,machine\n";
+  EXPECT_NE(complaint(head + "a,b,0.1,2\n").find("others.csv:2: 4 values for 5 columns"), std::string::npos);
+  EXPECT_NE(complaint(head + "a,b,zero,2,c\n").find("error is \"zero\""), std::string::npos);
+  EXPECT_NE(complaint(head + "a,b,0.1,-2,c\n").find("cpu_seconds is \"-2\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sphk
