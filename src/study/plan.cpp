@@ -89,7 +89,10 @@ std::vector<StudyPoint> points_of(const toml::value& file) {
   std::vector<StudyPoint> points;
   for (const toml::value& method : file.at("methods").as_array()) {
     std::vector<StudyAxis> axes = axes_of(method);
-    axes.insert(axes.end(), vary.begin(), vary.end());
+    const auto own = axes;
+    std::ranges::copy_if(vary, std::back_inserter(axes), [&](const StudyAxis& axis) {
+      return std::ranges::find(own, axis.key, &StudyAxis::key) == own.end();
+    });
     std::ranges::move(product_of(axes), std::back_inserter(points));
   }
   return points;

@@ -28,8 +28,8 @@ bool is_study_file(const std::filesystem::path& path);
 
 /// Reads a study file: `scene`, and all others optional: `summary`, `norm`, `target`, `budgets`, `repeat`, `others` (a
 /// file beside this one), [set] with keys of all runs, [vary] with lists of values, and [[methods]], each with keys of
-/// its own. Keys are written as in a scene file; every method runs with every combination of [vary], and a list in a
-/// method is varied as well. Throws InputError with line and caret.
+/// its own. Keys are written as in a scene file; every method runs with every combination of [vary], but for keys that
+/// it sets itself, and a list in a method is varied as well. Throws InputError with line and caret.
 StudyPlan read_study_file(const std::filesystem::path& path);
 
 /// Study files of a folder, by name; none where there is no such folder.

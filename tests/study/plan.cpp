@@ -49,6 +49,8 @@ sph.scheme = ["sph", "tsph"]
 sph.neighbours = 48
 [[methods]]
 viscosity.alpha = 0.5
+[[methods]]
+scene.n = 64
 )"));
   EXPECT_EQ(plan.name, "mine");
   EXPECT_EQ(plan.norm, "rho");
@@ -58,7 +60,8 @@ viscosity.alpha = 0.5
   EXPECT_EQ(plan.others, folder.path() / "peers.csv");
   using Keys = std::vector<std::pair<std::string, std::string>>;
   EXPECT_EQ(plan.fixed, (Keys{{"scene.lattice", "cubic"}, {"scene.across", "4"}, {"time.limiter", "false"}}));
-  ASSERT_EQ(plan.points.size(), 6u) << "two schemes and the other method, at two resolutions";
+  ASSERT_EQ(plan.points.size(), 7u) << "two schemes and another method at two resolutions, and one at its own";
+  EXPECT_EQ(plan.points[6].keys, (Keys{{"scene.n", "64"}}));
   EXPECT_EQ(plan.points[1].keys, (Keys{{"sph.scheme", "sph"}, {"sph.neighbours", "48"}, {"scene.n", "32"}}));
   EXPECT_EQ(plan.points[2].keys, (Keys{{"sph.scheme", "tsph"}, {"sph.neighbours", "48"}, {"scene.n", "16"}}));
   EXPECT_EQ(plan.points[5].keys, (Keys{{"viscosity.alpha", "0.5"}, {"scene.n", "32"}}));

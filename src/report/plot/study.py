@@ -99,12 +99,13 @@ def draw_study(work):
         axes.set_xticks(ticks, [f"{n:g}" for n in ticks])
         axes.set_xlim(min(ticks) / 1.15, max(ticks) * 1.15)
         axes.minorticks_off()
-    rows = -(-(len(lines) + 1) // 3)
+    columns = 3 if len(lines) < 9 else 4
+    rows = -(-(len(lines) + 1) // columns)
     handles, labels = seconds.get_legend_handles_labels()
     own = [k for k, label in enumerate(labels) if label not in {o["engine"] for o in others}]
     top = 0.026 * rows + (0.026 if others else 0)
     figure.get_layout_engine().set(rect=(0, 0, 1, 0.99 - top), w_pad=0.12, h_pad=0.12)
-    figure.legend([handles[k] for k in own], [labels[k] for k in own], loc="upper center", ncol=3,
+    figure.legend([handles[k] for k in own], [labels[k] for k in own], loc="upper center", ncol=columns,
                   bbox_to_anchor=(0.5, 0.965))
     if others:
         machines = "; ".join(dict.fromkeys(o["machine"] for o in others))
