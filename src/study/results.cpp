@@ -11,11 +11,12 @@ namespace sphk {
 
 namespace {
 
-/// Results that logarithms can be taken of, by rising cost.
-std::vector<StudyResult> measured(const std::vector<StudyResult>& results) {
+/// Results by rising cost and falling error: those that no other beats in both, and that have logarithms.
+std::vector<StudyResult> worth_their_cost(const std::vector<StudyResult>& results) {
+  const std::vector<bool> front = pareto_front(results);
   std::vector<StudyResult> runs;
-  std::ranges::copy_if(results, std::back_inserter(runs),
-                       [](const StudyResult& r) { return r.valid() && r.error > 0 && r.cpu > 0; });
+  for (std::size_t k = 0; k < results.size(); ++k)
+    if (front[k] && results[k].error > 0 && results[k].cpu > 0) runs.push_back(results[k]);
   std::ranges::sort(runs, {}, &StudyResult::cpu);
   return runs;
 }
@@ -40,7 +41,7 @@ std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
 }
 
 TimeToTarget time_to_target(const std::vector<StudyResult>& results, double target) {
-  const std::vector<StudyResult> runs = measured(results);
+  const std::vector<StudyResult> runs = worth_their_cost(results);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     if (runs[k].error > target) continue;
     if (k == 0) return {TimeToTarget::How::at_once, runs[0].cpu};
@@ -52,7 +53,7 @@ TimeToTarget time_to_target(const std::vector<StudyResult>& results, double targ
 
 std::optional<Expectation> error_within(const std::vector<StudyResult>& results, double cpu) {
   constexpr double farthest = 60;
-  const std::vector<StudyResult> runs = measured(results);
+  const std::vector<StudyResult> runs = worth_their_cost(results);
   if (runs.empty() || cpu < runs.front().cpu) return std::nullopt;
   const StudyResult& dearest = runs.back();
   Expectation expectation{dearest.point.method(), dearest.error, dearest.n, cpu > dearest.cpu};

@@ -53,6 +53,9 @@ TEST(StudyResults, ABudgetIsSpentOnWhatReachesTheSmallestError) {
   EXPECT_TRUE(error_within(a, 64)->extrapolated);
   EXPECT_FALSE(error_within(a, 0.5)) << "no run is so cheap";
   EXPECT_FALSE(error_within(a, 1000)) << "too far beyond the dearest run";
+  std::vector<StudyResult> disturbed = a;
+  disturbed.push_back(result("a", 0.5, 0.7, 32));  // something else ran on the machine
+  EXPECT_NEAR(error_within(disturbed, 64)->error, 0.05, 1e-12);
   std::vector<StudyResult> both = a;
   both.push_back(result("b", 1, 0.3, 2));
   both.push_back(result("b", 2, 0.25, 32));
