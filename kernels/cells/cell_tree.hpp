@@ -40,6 +40,8 @@ class CellTree {
   }
 
   KOKKOS_INLINE_FUNCTION int count(int level) const { return first[level + 1] - first[level]; }
+  /// All boxes as one array.
+  const auto& nodes() const { return nodes_; }
   KOKKOS_INLINE_FUNCTION int cells() const { return (n + cell_size - 1) / cell_size; }
   KOKKOS_INLINE_FUNCTION Bounds<D> node(int level, int k) const {
     const int at = first[level] + k;

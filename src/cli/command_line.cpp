@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/platform.hpp"
@@ -21,7 +23,7 @@ struct Options {
   std::string what, file;
   std::vector<std::string> sets;
   std::vector<Override> shortcuts;
-  std::string out, report;
+  std::string out, report, resume;
   int threads = 0;
   RunOptions run;
   PlotOptions plot;
@@ -61,6 +63,21 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
       ->type_name(type);
 }
 
+/// 90, 1:30 or 0:01:30 in seconds.
+double seconds_of(const std::string& text) {
+  double seconds = 0;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ':');) {
+    char* end = nullptr;
+    const double value = std::strtod(part.c_str(), &end);
+    if (part.empty() || *end != '\0' || !(value >= 0))
+      throw InputError(fmt::format("--walltime {}: write seconds, M:S or H:M:S", text));
+    seconds = 60 * seconds + value;
+  }
+  if (!(seconds > 0)) throw InputError(fmt::format("--walltime {}: a positive time is wanted", text));
+  return seconds;
+}
+
 void add_physics(CLI::App& app, Options& o) {
   shortcut(app, o, "--scheme", "sph.scheme", "NAME",
            "the scheme: sph, gadget2, tsph, sphs, ... or a label such as SPHS-HCT442 (key sph.scheme)");
@@ -80,14 +97,21 @@ void add_threads(CLI::App& app, Options& o) {
 
 void add_run(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("run", "run a scene, a scene file or an initial condition");
-  app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition")
-      ->required();
+  CLI::Option* what =
+      app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition");
+  app.add_option("--resume", o.resume, "go on with the run in this folder, from its newest checkpoint")
+      ->type_name("DIR")
+      ->excludes(what);
   add_physics(app, o);
   shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
   shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
   shortcut(app, o, "--steps", "time.max_steps", "N", "stop after so many steps (key time.max_steps)");
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
+  app.add_option_function<std::string>(
+         "--walltime", [&o](const std::string& text) { o.run.walltime = seconds_of(text); },
+         "stop with a checkpoint before so much wall-clock time is over: seconds, M:S or H:M:S")
+      ->type_name("TIME");
   app.add_flag("--overwrite", o.run.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
   app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
@@ -96,7 +120,10 @@ void add_run(CLI::App& root, Options& o) {
       "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
       "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
       "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
-      "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped by SIGTERM or SIGINT.");
+      "SIGTERM, SIGINT, SIGUSR1, a file named stop in the run's folder and --walltime end the step, leave a checkpoint "
+      "and exit\nwith 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` continues bit by bit, on as "
+      "many threads.\n"
+      "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped with a checkpoint.");
 }
 
 void add_plot(CLI::App& root, Options& o) {
@@ -211,7 +238,13 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
   const auto computing = [&](std::function<int()> act) { return Request{std::move(act), true, o->threads}; };
   const auto plain = [](std::function<int()> act) { return Request{std::move(act), false, 0}; };
   if (name == "run") {
+    if (o->what.empty() && o->resume.empty()) throw InputError("sphk run takes a scene or file, or --resume DIR");
+    if (!o->resume.empty() && (!o->shortcuts.empty() || !o->sets.empty() || !o->out.empty()))
+      throw InputError(
+          "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
+          "--json-log go with it");
     o->run.what = o->what;
+    o->run.resume = path_of(o->resume);
     o->run.overrides = overrides(*o);
     o->run.out = path_of(o->out);
     return computing([o] { return run_command(o->run); });

@@ -20,6 +20,8 @@ struct RunOptions {
   std::vector<Override> overrides;
   std::optional<std::filesystem::path> out;
   bool overwrite = false, dry_run = false, json_log = false;
+  std::optional<std::filesystem::path> resume;  ///< the folder of a run to go on with; `what` is empty then
+  double walltime = 0;                          ///< wall-clock seconds after which the run stops; 0: no limit
 };
 
 struct PlotOptions {

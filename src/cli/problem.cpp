@@ -108,6 +108,11 @@ void declare_run_keys(Settings& settings) {
                     .doc = "E0, R, V (R10 eq 28-30) and nearest neighbours into the snapshots, their budget into the "
                            "history and the final table",
                     .choices = {}});
+  settings.declare({.name = "output.checkpoint",
+                    .value = 600.0,
+                    .doc = "wall-clock seconds between checkpoints; 0: only when the run is stopped",
+                    .choices = {},
+                    .min = 0});
   settings.declare({.name = "output.compression",
                     .value = std::string("none"),
                     .doc = "of the snapshots; gzip: smaller, and slower to write",

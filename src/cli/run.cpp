@@ -9,6 +9,7 @@
 #include "src/cli/run_loop.hpp"
 #include "src/cli/stop_signal.hpp"
 #include "src/engine/errors.hpp"
+#include "src/io/reader.hpp"
 #include "src/report/final_table.hpp"
 #include "src/report/run_json.hpp"
 #include "src/report/text_file.hpp"
@@ -18,12 +19,16 @@
 
 namespace sphk {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-RunLoop::Plan make_plan(const Settings& settings, double begin) {
+RunLoop::Plan make_plan(const Settings& settings, double begin, double walltime) {
   const RunLoop::Plan plan{.end = settings.real("time.end"),
                            .steps = settings.integer("time.max_steps"),
-                           .snapshots = settings.integer("output.snapshots")};
+                           .snapshots = settings.integer("output.snapshots"),
+                           .checkpoint = settings.real("output.checkpoint"),
+                           .walltime = walltime};
   if (!(plan.end > begin))
     throw InputError(fmt::format("time.end = {} is not after the start at t = {}: give the end time with --t-end T",
                                  plan.end, begin));
@@ -61,11 +66,11 @@ std::string headline(const RunRecord& r) {
 
 void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation,
                  const Box& box) {
-  record.steps = loop.steps();
+  record.steps = loop.state().steps;
   record.time = simulation.time();
-  record.wall_seconds = loop.wall();
-  record.cpu_seconds = loop.cpu();
-  record.joules = loop.joules();
+  record.wall_seconds = loop.state().wall;
+  record.cpu_seconds = loop.state().cpu;
+  record.joules = loop.state().joules;
   record.output_seconds = output.seconds();
   record.costs = simulation.costs();
   record.conservation = drift(output.start(), simulation.totals(), box);
@@ -79,32 +84,57 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
 std::string closing_words(const RunRecord& record, const RunOutput& output) {
   const std::string folder = output.folder().string();
   if (record.finished) return fmt::format("{} is complete; see it with: sphk plot {}", folder, folder);
-  return fmt::format("stopped at t = {:.6g}, after step {}; the state is in {}/{}", record.time, record.steps, folder,
-                     output.last_snapshot());
+  return fmt::format("stopped at t = {:.6g}, after step {}; go on with: sphk run --resume {}", record.time,
+                     record.steps, folder);
+}
+
+/// The run that a folder's newest checkpoint holds, its particles as make_simulation wants them.
+ParticleSet particles_of(const SavedRun& saved) {
+  ParticleSet particles = read_particles(saved.file).particles;
+  particles.box = saved.box;
+  return particles;
+}
+
+std::string scene_file_of(const fs::path& folder) {
+  const fs::path file = folder / "scene.used.toml";
+  if (!fs::exists(file)) throw InputError(fmt::format("{} holds no run", folder.string()));
+  return file.string();
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  const Problem problem = resolve_problem(options.what, options.overrides);
+  const Problem problem = options.resume ? resolve_problem(scene_file_of(*options.resume), {})
+                                         : resolve_problem(options.what, options.overrides);
   if (options.dry_run) return dry_run_command(problem);
   if (options.out && !options.overwrite) refuse_used_folder(*options.out);
   const Stopwatch setup;
-  const ParticleSet particles = initial_condition(*problem.scene, problem.settings);
-  RunLoop::Plan plan = make_plan(problem.settings, particles.time);
+  std::optional<SavedRun> saved;
+  if (options.resume) saved = newest_checkpoint(*options.resume);
+  const ParticleSet particles = saved ? particles_of(*saved) : initial_condition(*problem.scene, problem.settings);
+  const double begin = saved ? saved->loop.begin : particles.time;
+  RunLoop::Plan plan = make_plan(problem.settings, begin, options.walltime);
   RunRecord record = make_record(problem, particles);
   Progress progress(options.json_log ? ProgressStyle::json : style_for(stdout),
-                    {.from = particles.time, .to = plan.end, .steps = plan.steps});
+                    {.from = begin, .to = plan.end, .steps = plan.steps});
   progress.say(headline(record));
+  if (saved) {
+    record.warnings.insert(record.warnings.end(), saved->remarks.begin(), saved->remarks.end());
+    progress.say(fmt::format("goes on from {}, step {}", saved->file.string(), saved->loop.steps));
+  }
   for (const std::string& remark : record.warnings) progress.say("note: " + remark);
   const auto simulation = make_simulation(particles, simulation_settings(problem.settings));
+  if (saved) simulation->restore(saved->simulation);
   record.setup_seconds = setup.wall();
 
   catch_stop_signals();
-  RunOutput output(make_run_folder(problem.scene->name(), options.out, options.overwrite), *problem.scene,
-                   problem.settings);
-  plan.rows = output.deviations().times(particles.time, plan.end);
-  RunLoop loop(*simulation, output, progress, plan, particles.box);
+  RunOutput output = saved ? RunOutput(*options.resume, *problem.scene, problem.settings, saved->output)
+                           : RunOutput(make_run_folder(problem.scene->name(), options.out, options.overwrite),
+                                       *problem.scene, problem.settings);
+  Checkpoints checkpoints(output.folder(), saved ? saved->file : fs::path());
+  plan.rows = output.deviations().times(begin, plan.end);
+  RunLoop loop(*simulation, output, checkpoints, progress, plan, particles.box);
+  if (saved) loop.resume(saved->loop);
   const auto conclude = [&] {
     add_results(record, loop, output, *simulation, particles.box);
     write_text(output.folder() / "run.json", run_json(record));
@@ -118,6 +148,7 @@ int run_command(const RunOptions& options) {
                                     output.folder().string(), output.last_snapshot()));
   }
   conclude();
+  if (record.finished) checkpoints.remove();
   if (!options.json_log) progress.say("\n" + final_table(record));
   progress.say(closing_words(record, output));
   return record.finished ? ExitCode::done : ExitCode::stopped;

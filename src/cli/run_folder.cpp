@@ -14,7 +14,8 @@ namespace {
 
 /// Does a run leave a file of this name?
 bool is_run_file(const std::string& name) {
-  for (const char* fixed : {"scene.used.toml", "history.csv", "run.json", "run.hdf.series"})
+  for (const char* fixed : {"scene.used.toml", "history.csv", "run.json", "run.hdf.series", "checkpoint_a.hdf5",
+                            "checkpoint_b.hdf5", "stop"})
     if (name == fixed) return true;
   return (name.starts_with("snap_") && (name.ends_with(".hdf5") || name.ends_with(".png"))) || name == "history.png";
 }

@@ -2,35 +2,51 @@
 
 #include "src/cli/stop_signal.hpp"
 #include "src/report/conservation.hpp"
-#include "src/report/machine.hpp"
 
 namespace sphk {
 
-RunLoop::RunLoop(Simulation& simulation, RunOutput& output, Progress& progress, Plan plan, const Box& box)
+namespace fs = std::filesystem;
+
+RunLoop::RunLoop(Simulation& simulation, RunOutput& output, Checkpoints& checkpoints, Progress& progress, Plan plan,
+                 const Box& box)
     : simulation_(simulation),
       output_(output),
+      checkpoints_(checkpoints),
       progress_(progress),
-      plan_(plan),
+      plan_(std::move(plan)),
       box_(box),
-      begin_(simulation.time()) {}
+      state_{.begin = simulation.time()} {}
 
 double RunLoop::output_time(long snapshot) const {
   const double part = static_cast<double>(snapshot) / static_cast<double>(plan_.snapshots);
-  return snapshot == plan_.snapshots ? plan_.end : begin_ + part * (plan_.end - begin_);
+  return snapshot == plan_.snapshots ? plan_.end : state_.begin + part * (plan_.end - state_.begin);
 }
 
-bool RunLoop::over() const {
-  return stop_requested() || (plan_.steps > 0 && steps_ >= plan_.steps);
+bool RunLoop::asked_to_stop() const {
+  return stop_requested() || fs::exists(output_.folder() / "stop") || out_of_walltime();
+}
+
+/// Leaves time for one more step and for the checkpoint, which takes about as long as a snapshot before the first.
+bool RunLoop::out_of_walltime() const {
+  if (plan_.walltime == 0) return false;
+  const double writing = std::max(checkpoints_.seconds(), output_.seconds());
+  return process_.wall() + 2 * (longest_step_ + writing) > plan_.walltime;
+}
+
+void RunLoop::checkpoint() {
+  checkpoints_.write(simulation_, state_, output_.state(), box_, output_.info());
+  last_checkpoint_ = process_.wall();
 }
 
 void RunLoop::step(double until) {
   const Stopwatch watch;
   const std::optional<double> energy = meter_.joules();
   const StepReport report = simulation_.step(until);
-  if (energy) joules_ = joules_.value_or(0) + *meter_.joules() - *energy;
-  wall_ += watch.wall();
-  cpu_ += watch.cpu();
-  ++steps_;
+  if (energy) state_.joules = state_.joules.value_or(0) + *meter_.joules() - *energy;
+  state_.wall += watch.wall();
+  state_.cpu += watch.cpu();
+  longest_step_ = std::max(longest_step_, watch.wall());
+  ++state_.steps;
   if (progress_.due()) tell(report);
 }
 
@@ -40,25 +56,33 @@ void RunLoop::tell(const StepReport& report) {
 
 /// Steps to a time; one that is cut short to it may miss it by round-off.
 void RunLoop::go(double until) {
-  while (simulation_.time() < until - round_off() && !over()) step(until);
+  while (simulation_.time() < until - round_off() && !steps_over() && !stopped_) {
+    step(until);
+    stopped_ = asked_to_stop();
+    const bool due = plan_.checkpoint > 0 && process_.wall() - last_checkpoint_ >= plan_.checkpoint;
+    if (!stopped_ && (due || checkpoint_requested())) checkpoint();
+  }
 }
 
 RunLoop::End RunLoop::run() {
-  output_.write(simulation_);
-  auto row = plan_.rows.begin();
-  for (long snapshot = 1; snapshot <= plan_.snapshots && !over(); ++snapshot) {
-    const double until = output_time(snapshot);
-    for (; row != plan_.rows.end() && *row < until + near(); ++row) {
-      if (*row > until - near()) continue;
-      go(*row);
-      if (!over()) output_.add_row(simulation_);
+  if (state_.steps == 0) output_.write(simulation_);
+  for (; state_.next_snapshot <= plan_.snapshots && !steps_over(); ++state_.next_snapshot) {
+    const double until = output_time(state_.next_snapshot);
+    for (auto& row = state_.next_row; row < plan_.rows.size() && plan_.rows[row] < until + near(); ++row) {
+      if (plan_.rows[row] > until - near()) continue;
+      go(plan_.rows[row]);
+      if (stopped_ || steps_over()) break;
+      output_.add_row(simulation_);
     }
     go(until);
+    if (stopped_) break;
     output_.write(simulation_);
   }
-  if (steps_ > 0) tell(simulation_.last_step());
-  const bool complete = simulation_.time() >= plan_.end - round_off() || (plan_.steps > 0 && steps_ >= plan_.steps);
-  return complete ? End::finished : End::stopped;
+  if (state_.steps > 0) tell(simulation_.last_step());
+  if (!stopped_) return End::finished;
+  checkpoint();
+  fs::remove(output_.folder() / "stop");
+  return End::stopped;
 }
 
 }  // namespace sphk

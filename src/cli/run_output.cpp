@@ -12,6 +12,27 @@
 
 namespace sphk {
 
+namespace {
+
+std::string snapshot_name(std::size_t number) {
+  return fmt::format("snap_{:04}.hdf5", number);
+}
+
+/// The conserved sums of a row.
+Totals totals_of(const HistoryRow& row) {
+  Totals totals;
+  totals.mass = row.at("mass");
+  totals.kinetic = row.at("kinetic_energy");
+  totals.thermal = row.at("thermal_energy");
+  for (int d = 0; d < 3; ++d) {
+    totals.momentum[d] = row.at(std::string("momentum_") + "xyz"[d]);
+    totals.angular_momentum[d] = row.at(std::string("angular_momentum_") + "xyz"[d]);
+  }
+  return totals;
+}
+
+}  // namespace
+
 SnapshotInfo snapshot_info(const Scene& scene, const Settings& settings) {
   const SimulationSettings simulation = simulation_settings(settings);
   SnapshotInfo info;
@@ -40,6 +61,29 @@ RunOutput::RunOutput(std::filesystem::path folder, const Scene& scene, const Set
   write_text(folder_ / "scene.used.toml", info_.scene_text);
 }
 
+RunOutput::RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings,
+                     const OutputState& reached)
+    : folder_(std::move(folder)),
+      scene_(scene),
+      settings_(settings),
+      info_(snapshot_info(scene, settings)),
+      compression_(settings.text("output.compression") == "gzip" ? Compression::gzip : Compression::none),
+      history_(folder_ / "history.csv", reached.history_bytes),
+      deviations_(scene.references(settings)),
+      last_step_(reached.last_step),
+      seconds_(reached.seconds) {
+  for (const double time : reached.snapshot_times) series_.push_back({snapshot_name(series_.size()), time});
+  const std::vector<HistoryRow> rows = read_history(folder_ / "history.csv");
+  for (const HistoryRow& row : rows) deviations_.add(row.at("time"), {row.begin(), row.end()});
+  if (!rows.empty()) start_ = totals_of(rows[0]);
+}
+
+OutputState RunOutput::state() const {
+  OutputState state{{}, history_.bytes(), last_step_, seconds_};
+  for (const SeriesEntry& entry : series_) state.snapshot_times.push_back(entry.time);
+  return state;
+}
+
 void RunOutput::write(const Simulation& simulation) {
   const StepReport step = simulation.last_step();
   if (step.step == last_step_) return;
@@ -52,7 +96,7 @@ void RunOutput::write(const Simulation& simulation) {
     snapshot.fields.insert(snapshot.fields.end(), errors.begin(), errors.end());
     for (const auto& column : columns(*budget_)) measures.push_back(column);
   }
-  const std::string name = fmt::format("snap_{:04}.hdf5", series_.size());
+  const std::string name = snapshot_name(series_.size());
   write_snapshot(folder_ / name, snapshot, info_, compression_);
   series_.push_back({name, snapshot.time});
   write_series(folder_, series_);

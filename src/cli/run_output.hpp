@@ -15,11 +15,25 @@
 
 namespace sphk {
 
+/// How far the output of a run has got; all else is in its history.csv.
+struct OutputState {
+  std::vector<double> snapshot_times;
+  std::uintmax_t history_bytes = 0;
+  long last_step = -1;
+  double seconds = 0;
+};
+
 /// What a run writes at its output times: snapshots, their series file and the rows of history.csv.
 class RunOutput {
  public:
   /// `scene` and `settings` must outlive this. Writes scene.used.toml at once.
   RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings);
+  /// Goes on in a folder where that much is written already; rows after it are taken back. Throws InputError where the
+  /// history has been lost.
+  RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings, const OutputState& reached);
+
+  OutputState state() const;
+  const SnapshotInfo& info() const { return info_; }
 
   /// Writes the next snapshot and row, unless the current step is written already. Throws InputError.
   void write(const Simulation& simulation);

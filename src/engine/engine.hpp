@@ -5,6 +5,7 @@
 #include <Kokkos_Timer.hpp>
 #include <tuple>
 
+#include "src/engine/archive.hpp"
 #include "src/engine/load_run.hpp"
 #include "src/engine/neighbour_counts.hpp"
 #include "src/engine/output.hpp"
@@ -92,9 +93,60 @@ class Engine final : public Simulation {
 
   std::vector<Field> errors() const override { return passes_->errors(run_.state); }
 
+  SavedState save() const override {
+    SavedState saved;
+    StateWriter writer(saved);
+    exchange(*this, writer);
+    return saved;
+  }
+
+  void restore(const SavedState& saved) override {
+    StateReader reader(saved);
+    exchange(*this, reader);
+  }
+
   std::vector<std::string> warnings() const override { return warnings_of(searches_, fits_); }
 
  private:
+  /// Hands everything that changes in a run, but for what each step computes anew, to a writer or reader.
+  template <class Self, class Archive>
+  static void exchange(Self& self, Archive& archive) {
+    auto& run = self.run_;
+    archive("columns", run.state.columns.data);
+    archive("ids", run.state.ids);
+    archive("nodes", run.state.tree.nodes());
+    archive("tags", self.tags_.values);
+    archive("time", run.time);
+    archive("step", run.step);
+    archive("active_count", run.active_count);
+    archive("limit", run.limit);
+    auto& clock = run.state.clock;
+    archive("dt", clock.dt);
+    archive("tick", clock.tick);
+    archive("now", clock.now);
+    archive("next", clock.next);
+    archive("everyone_active", run.state.active.everyone);
+    archive("starting", run.schedule.starting);
+    archive("updates_since_sort", run.schedule.updates_since_sort);
+    if (clock.individual) {
+      archive("begins", clock.begin);
+      archive("ends", clock.end);
+      archive("caps", run.schedule.caps);
+      archive("active_masks", run.state.active.masks);
+    }
+    archive("start", self.start_);
+    archive("end_of_step", self.end_of_step_);
+    archive("block_begin", self.block_begin_);
+    archive("block_end", self.block_end_);
+    archive("report", self.report_);
+    archive("updates_since_count", self.updates_since_count_);
+    archive("updates", self.costs_.updates);
+    archive("pair_interactions", self.costs_.pair_interactions);
+    archive("seconds", self.seconds_);
+    archive("searches", self.searches_);
+    archive("fits", self.fits_);
+  }
+
   void run_passes() {
     for (std::size_t k = 0; k < seconds_.size(); ++k) {
       Kokkos::Profiling::ScopedRegion region(facts_.passes[k]);

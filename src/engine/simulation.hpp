@@ -7,6 +7,7 @@
 
 #include "kernels/terms/term_set.hpp"
 #include "src/engine/particle_set.hpp"
+#include "src/engine/saved_state.hpp"
 
 namespace sphk {
 
@@ -85,6 +86,10 @@ class Simulation {
   /// Leading errors of the scheme's equations at the current state, by id: E0 (3), R and V (xx, yy, zz, xy, xz, yz; R10
   /// eq 28-30), EntropyContrast (largest |ln(A_i/A_j)| over neighbours) and NearestNeighbour (distance).
   virtual std::vector<Field> errors() const = 0;
+  /// All that the next steps depend on; a simulation made of the same scheme, settings, box and number of particles goes
+  /// on from it bit by bit, on the same number of threads. restore() throws InputError where it does not fit.
+  virtual SavedState save() const = 0;
+  virtual void restore(const SavedState& state) = 0;
   /// Sentences the user should read once, such as particles whose neighbour number could not be met.
   virtual std::vector<std::string> warnings() const = 0;
 };

@@ -16,4 +16,7 @@ void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotIn
 /// The Cells group, by which readers of SWIFT files find a region: one cell that holds all particles.
 void write_cells(hdf5::File& file, const Snapshot& snapshot);
 
+/// What write_snapshot writes, still in memory.
+hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression);
+
 }  // namespace sphk

@@ -102,8 +102,7 @@ void check_sizes(const Snapshot& snapshot) {
 
 }  // namespace
 
-void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
-                    Compression compression) {
+hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression) {
   const bool compressed = compression == Compression::gzip;
   check_sizes(snapshot);
   hdf5::File file = hdf5::File::create();
@@ -111,7 +110,12 @@ void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot,
   write_cells(file, snapshot);
   write_gas(file.create_group("PartType0"), snapshot, info, compressed);
   write_vtkhdf(file.create_group("VTKHDF"), snapshot, compressed);
-  file.save(path);
+  return file;
+}
+
+void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
+                    Compression compression) {
+  snapshot_file(snapshot, info, compression).save(path);
 }
 
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,

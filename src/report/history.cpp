@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <sstream>
 
 #include "src/engine/errors.hpp"
 
 namespace sphk {
 
 namespace {
+
+constexpr const char* last_standard_column = "mass_drift";
 
 /// The standard columns and their values, in the file's order.
 History::Measures standard_columns(const StepReport& step, const Totals& t, const Conservation& drift) {
@@ -38,7 +42,14 @@ History::Measures standard_columns(const StepReport& step, const Totals& t, cons
           {"energy_drift", drift.energy},
           {"momentum_drift", drift.momentum},
           {"angular_momentum_drift", drift.angular_momentum},
-          {"mass_drift", drift.mass}};
+          {last_standard_column, drift.mass}};
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> words;
+  std::string word;
+  for (std::istringstream text(line); std::getline(text, word, ',');) words.push_back(word);
+  return words;
 }
 
 double value_of(const History::Measures& measures, const std::string& name) {
@@ -51,6 +62,40 @@ double value_of(const History::Measures& measures, const std::string& name) {
 History::History(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_)
     throw InputError(fmt::format("cannot write {}: does the folder exist, and may you write there?", path.string()));
+}
+
+History::History(const std::filesystem::path& path, std::uintmax_t bytes) : path_(path) {
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) < bytes || error)
+    throw InputError(fmt::format("{} is missing or has lost rows: without them the run cannot go on", path.string()));
+  std::filesystem::resize_file(path, bytes, error);
+  file_.open(path, std::ios::app);
+  if (error || !file_) throw InputError(fmt::format("cannot write {}: may you write there?", path.string()));
+  if (bytes == 0) return;
+  std::string line;
+  std::getline(std::ifstream(path), line);
+  const std::vector<std::string> names = split(line);
+  measures_.assign(std::ranges::find(names, last_standard_column) + 1, names.end());
+  started_ = true;
+}
+
+std::uintmax_t History::bytes() const {
+  return std::filesystem::file_size(path_);
+}
+
+std::vector<HistoryRow> read_history(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> names = split(line);
+  std::vector<HistoryRow> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> values = split(line);
+    HistoryRow& row = rows.emplace_back();
+    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
+      row[names[k]] = std::strtod(values[k].c_str(), nullptr);
+  }
+  return rows;
 }
 
 void History::add(const StepReport& step, const Totals& totals, const Conservation& drift, const Measures& measures) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,9 +19,12 @@ class History {
 
   /// Opens (and empties) `path`; throws InputError where that fails.
   explicit History(const std::filesystem::path& path);
+  /// Goes on after the first `bytes` of it. Throws InputError where it has not so many.
+  History(const std::filesystem::path& path, std::uintmax_t bytes);
   /// Appends a row and flushes it. A measure that the first row did not have is left out; one it had and this row has
   /// not is "nan".
   void add(const StepReport& step, const Totals& totals, const Conservation& drift, const Measures& measures);
+  std::uintmax_t bytes() const;
 
  private:
   std::filesystem::path path_;
@@ -27,5 +32,10 @@ class History {
   std::vector<std::string> measures_;
   bool started_ = false;
 };
+
+/// A row of a history, by column.
+using HistoryRow = std::map<std::string, double>;
+/// The rows that are there; numbers come back as they were written, bit by bit.
+std::vector<HistoryRow> read_history(const std::filesystem::path& path);
 
 }  // namespace sphk

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Kokkos_Core.hpp>
+#include <cstring>
+#include <type_traits>
+
+#include "src/engine/errors.hpp"
+#include "src/engine/saved_state.hpp"
+
+namespace sphk {
+
+/// Puts numbers, vectors of numbers and views into a SavedState.
+class StateWriter {
+ public:
+  explicit StateWriter(SavedState& state) : state_(state) {}
+
+  template <class T>
+  void operator()(const std::string& name, const T& value) {
+    if constexpr (Kokkos::is_view_v<T>) {
+      const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, value);
+      put(name, host.data(), host.span() * sizeof(typename T::value_type));
+    } else if constexpr (std::is_trivially_copyable_v<T>) {
+      put(name, &value, sizeof(T));
+    } else {
+      put(name, value.data(), value.size() * sizeof(typename T::value_type));
+    }
+  }
+
+ private:
+  void put(const std::string& name, const void* data, std::size_t bytes) {
+    const auto* begin = static_cast<const std::uint8_t*>(data);
+    state_[name].assign(begin, begin + bytes);
+  }
+  SavedState& state_;
+};
+
+/// Takes them out again. Throws InputError where a block is missing or has another size.
+class StateReader {
+ public:
+  explicit StateReader(const SavedState& state) : state_(state) {}
+
+  template <class T>
+  void operator()(const std::string& name, T& value) {
+    if constexpr (Kokkos::is_view_v<T>) {
+      const auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, value);
+      get(name, host.data(), host.span() * sizeof(typename T::value_type));
+      Kokkos::deep_copy(value, host);
+    } else if constexpr (std::is_trivially_copyable_v<T>) {
+      get(name, &value, sizeof(T));
+    } else {
+      value.resize(block(name).size() / sizeof(typename T::value_type));
+      get(name, value.data(), value.size() * sizeof(typename T::value_type));
+    }
+  }
+
+ private:
+  const std::vector<std::uint8_t>& block(const std::string& name) const {
+    const auto found = state_.find(name);
+    if (found == state_.end()) throw InputError(fmt::format("the saved state has no \"{}\"", name));
+    return found->second;
+  }
+  void get(const std::string& name, void* data, std::size_t bytes) const {
+    if (block(name).size() != bytes)
+      throw InputError(
+          fmt::format("the saved state's \"{}\" has {} bytes, {} are wanted: it is of another scheme, "
+                      "number of particles or build",
+                      name, block(name).size(), bytes));
+    if (bytes > 0) std::memcpy(data, block(name).data(), bytes);
+  }
+  const SavedState& state_;
+};
+
+}  // namespace sphk
