@@ -69,9 +69,14 @@ std::optional<Expectation> error_within(const std::vector<StudyResult>& results,
 
 std::optional<Expectation> best_within(const std::vector<StudyResult>& results, double cpu) {
   std::optional<Expectation> best;
-  for (const auto& group : by_method(results))
-    if (const auto expectation = error_within(group, cpu); expectation && (!best || expectation->error < best->error))
-      best = expectation;
+  double best_share = 0;
+  for (const auto& group : by_method(results)) {
+    const auto expectation = error_within(group, cpu);
+    if (!expectation) continue;
+    const double share = std::min(group.back().cpu / cpu, 0.5);  // of the budget that has been tried
+    const bool better = !best || (share == best_share ? expectation->error < best->error : share > best_share);
+    if (better) best = expectation, best_share = share;
+  }
   return best;
 }
 

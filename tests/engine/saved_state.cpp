@@ -50,7 +50,8 @@ TEST(SavedState, GoesOnBitByBitUnderEveryScheme) {
     for (const int D : {1, 2, 3})
       for (const bool individual : {false, true}) {
         const std::string what = scheme + " in " + std::to_string(D) + "D" + (individual ? ", individual steps" : "");
-        const std::array<int, 3> sides[] = {{40, 1, 1}, {12, 12, 1}, {7, 7, 7}};
+        if (D == 3 && !individual) continue;  // the other path is the same in any dimension
+        const Array3 sides[] = {{40, 1, 1}, {12, 12, 1}, {6, 6, 6}};
         ParticleSet gas = shaken_lattice(D, sides[D - 1], 0.3, D != 2, 5);
         for (std::size_t i = 0; i < gas.size(); ++i) {
           gas.tag.push_back(static_cast<int>(i % 3));
@@ -60,7 +61,7 @@ TEST(SavedState, GoesOnBitByBitUnderEveryScheme) {
         SimulationSettings settings;
         settings.scheme = scheme;
         settings.kernel = "wc6";
-        settings.neighbours = D == 1 ? 8 : D == 2 ? 30 : 100;
+        settings.neighbours = D == 1 ? 8 : D == 2 ? 30 : 60;
         settings.individual_steps = individual;
         const auto whole = make_simulation(gas, settings);
         go(*whole, 11, 0.05);  // in the midst of a block of individual steps, and after a sort
@@ -72,7 +73,7 @@ TEST(SavedState, GoesOnBitByBitUnderEveryScheme) {
           go(*whole, 12, t_end);
           go(*resumed, 12, t_end);
         }
-        EXPECT_GT(whole->last_step().step, 23) << what;
+        EXPECT_GT(whole->last_step().step, 15) << what;
         expect_same(*whole, *resumed, what);
       }
 }

@@ -62,7 +62,12 @@ TEST(StudyResults, ABudgetIsSpentOnWhatReachesTheSmallestError) {
   EXPECT_EQ(best_within(both, 1)->method, "a");
   EXPECT_EQ(best_within(both, 2)->method, "a") << "0.28 by then";
   EXPECT_EQ(best_within(both, 16)->method, "a");
-  both[2].error = 0.2;
+  both.push_back(
+      result("c", 1, 0.2, 0.5));  // halves its error from half a second to one: 0.0125 by 16 s, if that lasts
+  both.push_back(result("c", 2, 0.1, 1));
+  EXPECT_EQ(best_within(both, 16)->method, "a");
+  EXPECT_EQ(best_within(both, 1)->method, "c");
+  both[2].error = 0.05;
   EXPECT_EQ(best_within(both, 2)->method, "b");
 }
 
