@@ -85,8 +85,8 @@ def draw_study(work):
     grey = draw_others(seconds, others)
     if work["target"] > 0:
         seconds.axvline(work["target"], color="black", ls=":", lw=1.2, zorder=1)
-        seconds.annotate(f"target {work['target']:g}", (work["target"], 0.99), rotation=90, fontsize=10, va="top",
-                         xycoords=seconds.get_xaxis_transform(), xytext=(3, 0), textcoords="offset points")
+        seconds.annotate(f"target {work['target']:g}", (work["target"], 1.0), fontsize=10, ha="center", va="bottom",
+                         xycoords=seconds.get_xaxis_transform())
     for axes, x, y in ((seconds, error, "CPU seconds"), (order, "particles along the box, $n$", error),
                        (pairs, "pair interactions", error), (drift, "particles along the box, $n$",
                                                              "relative drift of the energy")):
