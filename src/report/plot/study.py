@@ -1,7 +1,7 @@
 """Error against run time: four panels of a study, a line a method."""
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 from style import LINES, MARKERS, plt, save
 
 STROKES = ["-", "--", ":"]  # once all colours are used
@@ -29,11 +29,19 @@ def draw_line(axes, points, x, y, look):
     axes.plot([p[x] for p in points], [p[y] for p in points], **look)
 
 
+def short(value):
+    """0.0025, 310, 5.2 M"""
+    for unit, name in ((1e12, " T"), (1e9, " G"), (1e6, " M"), (1e3, " k")):
+        if value >= unit and value >= 1e4:
+            return f"{value / unit:.3g}{name}"
+    return f"{value:.3g}"
+
+
 def plain_ticks(axis, low, high):
     """Numbers as they are read, 1, 2 and 5 of a decade where there are few decades."""
-    few = np.log10(max(high / max(low, 1e-300), 1)) < 2.5
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if few else (1,)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3g}"))
+    decades = np.log10(max(high / max(low, 1e-300), 1))
+    axis.set_major_locator(MaxNLocator(4) if decades < 0.6 else LogLocator(subs=(1, 2, 5) if decades < 2.5 else (1,)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: short(value)))
     axis.set_minor_formatter(NullFormatter())
 
 
@@ -53,11 +61,23 @@ def draw_failures(seconds, order, failures, looks):
         look = looks[failure["method"]] | {"ls": "", "mfc": "white", "mew": 1.5, "ms": 10, "clip_on": False, "zorder": 5}
         if failure["cpu"] > 0:
             seconds.plot(0.985, failure["cpu"], transform=seconds.get_yaxis_transform(), **look)
-        if failure["n"] > 0:
+        if order is not None and failure["n"] > 0:
             order.plot(failure["n"], 0.985, transform=order.get_xaxis_transform(), **look)
     if failures:
-        order.annotate("hollow: failed runs", (1.0, 1.01), xycoords="axes fraction", fontsize=10, ha="right",
-                       va="bottom", color="#555555")
+        (order or seconds).annotate("hollow: failed runs", (1.0, 1.01), xycoords="axes fraction", fontsize=10, ha="right",
+                                    va="bottom", color="#555555")
+
+
+def draw_by_method(axes, lines, looks, key):
+    """A row a method, where all have one resolution and there is no order to see."""
+    for row, line in enumerate(lines):
+        look = looks[line["method"]] | {"ls": ""}
+        axes.plot([point[key] for point in line["points"]], [row] * len(line["points"]), **look)
+    axes.set_yscale("linear")
+    axes.set_yticks(range(len(lines)), [line["method"] for line in lines], fontsize=10)
+    axes.set_ylim(len(lines) - 0.5, -0.5)
+    axes.set(xscale="log", ylabel="")
+    plain_ticks(axes.xaxis, *axes.get_xlim())
 
 
 def draw_study(work):
@@ -71,6 +91,7 @@ def draw_study(work):
                  solid_capstyle="round", label="nothing is better and cheaper")
     methods = list(dict.fromkeys([line["method"] for line in lines] + [f["method"] for f in failures]))
     looks = {method: look_of(k) for k, method in enumerate(methods)}
+    several = len({p["n"] for p in points}) > 1
     for line in lines:
         look = looks[line["method"]]
         fitted = "" if line["order"] is None else f" (order {line['order']:.2f})"
@@ -79,26 +100,35 @@ def draw_study(work):
             if len(points) <= MOST_LABELS or point in front:
                 seconds.annotate(f"{point['n']:g}", (point["error"], point["cpu"]), textcoords="offset points",
                                  xytext=(6, 4), fontsize=10, color=look["color"])
-        draw_line(order, line["points"], "n", "error", look)
         draw_line(pairs, line["points"], "pairs", "error", look)
-        draw_line(drift, line["points"], "n", "drift", look)
+        if several:
+            draw_line(order, line["points"], "n", "error", look)
+            draw_line(drift, line["points"], "n", "drift", look)
     grey = draw_others(seconds, others)
     if work["target"] > 0:
         seconds.axvline(work["target"], color="black", ls=":", lw=1.2, zorder=1)
         seconds.annotate(f"target {work['target']:g}", (work["target"], 1.0), fontsize=10, ha="center", va="bottom",
                          xycoords=seconds.get_xaxis_transform())
-    for axes, x, y in ((seconds, error, "CPU seconds"), (order, "particles along the box, $n$", error),
-                       (pairs, "pair interactions", error), (drift, "particles along the box, $n$",
-                                                             "relative drift of the energy")):
+    n = "particles along the box, $n$"
+    drifts = "relative drift of the energy"
+    panels = [(seconds, error, "CPU seconds"), (pairs, "pair interactions", error)]
+    if several:
+        panels += [(order, n, error), (drift, n, drifts)]
+    for axes, x, y in panels:
         axes.set(xlabel=x, ylabel=y, xscale="log", yscale="log")
         plain_ticks(axes.xaxis, *axes.get_xlim())
         plain_ticks(axes.yaxis, *axes.get_ylim())
-    draw_failures(seconds, order, failures, looks)
-    for axes in (order, drift):
+    draw_failures(seconds, order if several else None, failures, looks)
+    if several:
         ticks = sorted({p["n"] for p in points} | {f["n"] for f in failures if f["n"] > 0})
-        axes.set_xticks(ticks, [f"{n:g}" for n in ticks])
-        axes.set_xlim(min(ticks) / 1.15, max(ticks) * 1.15)
-        axes.minorticks_off()
+        for axes in (order, drift):
+            axes.set_xticks(ticks, [f"{n:g}" for n in ticks])
+            axes.set_xlim(min(ticks) / 1.15, max(ticks) * 1.15)
+            axes.minorticks_off()
+    else:
+        for axes, key, label in ((order, "error", error), (drift, "drift", drifts)):
+            draw_by_method(axes, lines, looks, key)
+            axes.set_xlabel(label)
     columns = 3 if len(lines) < 9 else 4
     rows = -(-(len(lines) + 1) // columns)
     handles, labels = seconds.get_legend_handles_labels()
