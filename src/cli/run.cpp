@@ -53,6 +53,12 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
   const std::string remark = stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma);
   if (!remark.empty()) record.warnings.push_back(remark);
+  const auto [least, most] = std::ranges::minmax(particles.m);
+  if ((s.scheme == "gadget2" || s.scheme == "v10") && most > 1.01 * least)
+    record.warnings.push_back(
+        fmt::format("{} conserves energy for particles of equal masses only, and these differ by a "
+                    "factor {:.3g}: sph, tsph and osph take any masses, sphs exchanges them",
+                    s.scheme, most / least));
   return record;
 }
 

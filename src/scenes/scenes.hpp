@@ -6,6 +6,7 @@ namespace sphk {
 
 const Scene& sod_scene();
 const Scene& sod_multimass_scene();
+const Scene& tube_scene();
 const Scene& gresho_scene();
 const Scene& sedov_scene();
 const Scene& point_explosion_scene();
@@ -15,6 +16,7 @@ const Scene& kh18_scene();
 const Scene& mcnally_scene();
 const Scene& shearing_scene();
 const Scene& blob_scene();
+const Scene& square_scene();
 const Scene& uniform_scene();
 
 }  // namespace sphk

@@ -6,6 +6,7 @@ const std::vector<GalleryTile>& gallery_tiles() {
   static const std::vector<GalleryTile> tiles{
       {"sod", {}, "rho"},
       {"sod-multimass", {{"scene.n", "32"}, {"scene.across", "16"}}, "rho"},
+      {"tube", {}, "v"},
       {"gresho",
        {{"scene.n", "32"},
         {"scene.lattice", "glass"},
@@ -37,6 +38,7 @@ const std::vector<GalleryTile>& gallery_tiles() {
         {"time.end", "1.684"}},
        ""},
       {"blob", {{"scene.n", "32"}, {"time.end", "3.748"}}, ""},
+      {"square", {{"scene.n", "32"}}, ""},
       {"uniform", {{"scene.n", "24"}}, "rho"}};
   return tiles;
 }

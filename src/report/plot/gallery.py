@@ -6,7 +6,7 @@ from profiles import MOST_POINTS, bin_means, field_label, limits
 from snapshot import Snapshot
 from style import EXACT, LABELS, MEAN, PARTICLES, plt, save
 
-COLUMNS = 4
+COLUMNS = 5
 
 
 def draw_map(axes, snapshot):
