@@ -187,6 +187,15 @@ void add_gallery(CLI::App& root, Options& o) {
       "minutes on two cores.\nExamples:\n  sphk gallery\n  sphk gallery sod kh12 --out two");
 }
 
+void add_extremes(CLI::App& root, Options& o) {
+  CLI::App& app =
+      *root.add_subcommand("extremes", "stiff and extreme runs: what is required of each, and what came out");
+  app.add_option("cases", o.scenes, "only these cases");
+  add_threads(app, o);
+  app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
+  app.footer("Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two");
+}
+
 void add_tables(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("tables", "the papers' tables, computed, beside what they print");
   add_threads(app, o);
@@ -266,6 +275,7 @@ Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
     o->study.report = path_of(o->report);
     return plain([o] { return study_command(o->study); });
   }
+  if (name == "extremes") return plain([o] { return extremes_command({path_of(o->out), o->scenes, o->threads}); });
   if (name == "gallery") return plain([o] { return gallery_command({path_of(o->out), o->scenes, o->threads}); });
   if (name == "tables") return computing([o] { return tables_command({path_of(o->out)}); });
   if (name == "stability") {
@@ -291,6 +301,7 @@ Request parse_command_line(int argc, char** argv) {
   add_study_options(*root.add_subcommand("study", "error against run time, over every combination of what is listed"),
                     options->study, options->sets, options->out, options->report);
   add_gallery(root, *options);
+  add_extremes(root, *options);
   add_tables(root, *options);
   root.footer(
       "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"

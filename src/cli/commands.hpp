@@ -62,6 +62,12 @@ struct StudyOptions {
   std::optional<std::filesystem::path> out, report;
 };
 
+struct ExtremesOptions {
+  std::optional<std::filesystem::path> out;
+  std::vector<std::string> cases;  ///< empty: all
+  int threads = 0;                 ///< of each run; 0: what OpenMP gives
+};
+
 struct GalleryOptions {
   std::optional<std::filesystem::path> out;
   std::vector<std::string> scenes;  ///< empty: all
@@ -87,6 +93,8 @@ int stability_command(const StabilityOptions& options);
 int study_command(const StudyOptions& options);
 /// A small run of every scene, and one page with them all.
 int gallery_command(const GalleryOptions& options);
+/// Stiff and extreme runs, and whether they keep within their bounds.
+int extremes_command(const ExtremesOptions& options);
 /// Two studies, point by point: ratios of errors and CPU seconds, and what got worse. Files, or the folders of studies.
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm);

@@ -229,6 +229,14 @@ class Figures(unittest.TestCase):
         self.assertIn("of them to run", self.sphk(*study[1:]))
         self.assertTrue(all(float(row["error"]) > 0 for row in self.rows("stopped/study.csv")))
 
+    def test_extremes_tell_what_is_required_and_what_came_out(self):
+        text = self.sphk("extremes", "blast", "rarefactions", "boost", "point-explosion")
+        self.assertIn("4 of 4 cases pass", text)
+        with open(os.path.join(self.folder, "extremes", "extremes.txt"), encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        self.assertEqual(sum(row.endswith("pass") for row in rows), len(rows) - 1, "a line a requirement, below the head")
+        self.assertIn("known are blast,", self.sphk("extremes", "blasst", code=2))
+
     def test_the_gallery_is_one_page_with_a_picture_a_scene(self):
         text = self.sphk("gallery", "uniform", "gresho", "--out", "gallery")
         self.assertIn("[2/2] uniform", text)

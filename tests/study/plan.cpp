@@ -6,6 +6,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/scenes/scene.hpp"
+#include "src/study/extremes.hpp"
 #include "src/study/gallery.hpp"
 #include "src/study/others.hpp"
 #include "tests/temporary_folder.hpp"
@@ -103,6 +104,16 @@ TEST(Gallery, ShowsEveryScene) {
   for (const GalleryTile& tile : gallery_tiles()) shown.push_back(tile.scene);
   for (const Scene* scene : scenes()) all.push_back(scene->name());
   EXPECT_EQ(shown, all);
+}
+
+TEST(Extremes, AreOfScenesAndHaveBounds) {
+  std::set<std::string> names;
+  for (const ExtremeCase& one : extreme_cases()) {
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    EXPECT_NO_THROW(find_scene(one.scene)) << one.name;
+    EXPECT_FALSE(one.requirements.empty()) << one.name;
+    for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.bound, 0) << one.name;
+  }
 }
 
 TEST_F(StudyPlans, TakeOtherEnginesFromCsv) {
