@@ -26,10 +26,10 @@ bool RunLoop::asked_to_stop() const {
   return stop_requested() || fs::exists(output_.folder() / "stop") || out_of_walltime();
 }
 
-/// Leaves time for one more step and for the checkpoint, which takes about as long as a snapshot before the first.
+/// Leaves time for one more step and for the checkpoint; how long that takes is known from the last one, or a snapshot.
 bool RunLoop::out_of_walltime() const {
   if (plan_.walltime == 0) return false;
-  const double writing = std::max(checkpoints_.seconds(), output_.seconds());
+  const double writing = std::max(checkpoints_.seconds(), output_.seconds_per_snapshot());
   return process_.wall() + 2 * (longest_step_ + writing) > plan_.walltime;
 }
 

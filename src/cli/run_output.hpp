@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -47,6 +48,9 @@ class RunOutput {
   /// Of the kernels' sampling at the last output, where the key output.errors asks for it.
   const std::optional<ErrorBudget>& budget() const { return budget_; }
   double seconds() const { return seconds_; }
+  double seconds_per_snapshot() const {
+    return seconds_ / static_cast<double>(std::max<std::size_t>(series_.size(), 1));
+  }
   /// The conserved sums at the first output.
   const Totals& start() const { return *start_; }
   const std::filesystem::path& folder() const { return folder_; }

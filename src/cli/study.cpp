@@ -232,12 +232,11 @@ void Study::draw(const std::vector<StudyResult>& results, const std::vector<Othe
   for (const OtherPoint& o : others)
     elsewhere.push_back(
         {{"engine", o.engine}, {"setting", o.setting}, {"error", o.error}, {"cpu", o.cpu}, {"machine", o.machine}});
-  const bool deviation = !results.empty() && plan_.norm != "v" && plan_.norm != "rho" && plan_.norm != "P";
   run_plot_script(Json{{"study", lines},
                        {"failures", failures},
                        {"others", elsewhere},
                        {"norm", plan_.norm},
-                       {"relative", deviation},
+                       {"relative", !is_field_error(plan_.norm)},
                        {"title", fmt::format("{} on {}", plan_.scene, record_.json["machine"].get<std::string>())},
                        {"target", plan_.target},
                        {"out", (folder_ / "study.png").string()}}

@@ -20,7 +20,7 @@ std::string machines_of(const std::vector<OtherPoint>& others) {
 }
 
 std::string meaning_of(const StudyPlan& plan) {
-  const bool field = plan.norm == "v" || plan.norm == "rho" || plan.norm == "P";
+  const bool field = is_field_error(plan.norm);
   return fmt::format(
       "<p>L1({}) is {}. CPU seconds are of all threads in the time loop, without set-up and output{}; every run is a "
       "process of its own, after a trial of three steps that warms the machine up. A star marks runs that no other "

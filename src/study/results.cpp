@@ -28,6 +28,10 @@ double on_power_law(double x, double x1, double y1, double x2, double y2) {
 
 }  // namespace
 
+bool is_field_error(const std::string& norm) {
+  return norm == "v" || norm == "rho" || norm == "P" || norm.ends_with("_particles");
+}
+
 std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
   double count = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const StudyResult& r : results) {

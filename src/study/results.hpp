@@ -24,6 +24,9 @@ struct StudyResult {
   bool valid() const { return failure.empty(); }
 };
 
+/// Is this norm the error of a field, against an exact solution? Others are distances from converged runs.
+bool is_field_error(const std::string& norm);
+
 /// Fitted order of convergence of one method: - d ln(error) / d ln(n) by least squares; nothing below two points.
 std::optional<double> fitted_order(const std::vector<StudyResult>& of_one_method);
 
