@@ -173,14 +173,15 @@ TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
   EXPECT_EQ(nlohmann::json::parse(read_text(file("bad/run.json")))["finished"], false);
 }
 
-// SIGTERM after a second of a long run: the state is written and the exit code says so.
+// SIGTERM after a second of a long run: a checkpoint is written and the exit code says so.
 TEST_F(Executable, ASignalStopsTheRunWithCode75) {
   const Result result = sphk(
       "run uniform -n 16 --set scene.lattice=cubic --t-end 1000 --out stopped & pid=$!; "
       "for k in $(seq 300); do [ -e stopped/snap_0000.hdf5 ] && break; sleep 0.1; done; sleep 0.5; kill -TERM $pid; "
       "wait $pid");
   EXPECT_EQ(result.code, 75) << result.text;
-  EXPECT_TRUE(std::filesystem::exists(file("stopped/snap_0001.hdf5"))) << result.text;
+  EXPECT_TRUE(std::filesystem::exists(file("stopped/checkpoint_a.hdf5"))) << result.text;
+  EXPECT_FALSE(std::filesystem::exists(file("stopped/snap_0001.hdf5"))) << "no output that a run without a stop lacks";
   EXPECT_EQ(nlohmann::json::parse(read_text(file("stopped/run.json")))["finished"], false);
 }
 
