@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <toml.hpp>
 
 #include "src/engine/errors.hpp"
+#include "src/study/toml_file.hpp"
 
 namespace sphk {
 
@@ -76,7 +75,7 @@ std::string name_problem(const SceneFileEntry& entry, const Settings& settings) 
   return fmt::format("there is no section [{}]; did you mean [{}]?", entry.name, sections.nearest(entry.name));
 }
 
-/// toml11's own message, which has file, line and caret; with a hint for the one clash our keys invite.
+/// What the parser says, which has file and line; with a hint for the one clash our keys invite.
 std::string syntax_message(const std::string& what) {
   const bool clash = what.find("(\"scene\") already exists") != std::string::npos;
   return clash ? what + "\nA file with a section [scene] names its scene there: name = \"sod\" below [scene]." : what;
@@ -85,10 +84,8 @@ std::string syntax_message(const std::string& what) {
 }  // namespace
 
 SceneFile::SceneFile(const std::filesystem::path& path) : path_(path.string()) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("cannot read the scene file {}: is the path right?", path_));
   try {
-    flatten("", toml::parse(file, path_), entries_);
+    flatten("", parse_toml(path, "scene file"), entries_);
   } catch (const std::exception& error) {
     throw InputError(syntax_message(error.what()));
   }

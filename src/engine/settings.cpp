@@ -56,6 +56,21 @@ void check_range(const Key& key, const Value& value) {
     throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
 }
 
+/// A basic string of TOML.
+std::string quoted(std::string_view text) {
+  std::string all = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      all += {'\\', c};
+    else if (byte < 0x20 || byte == 0x7f)
+      all += fmt::format("\\u{:04x}", byte);
+    else
+      all += c;
+  }
+  return all + '"';
+}
+
 template <class T>
 bool parse(std::string_view text, T& out) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
@@ -65,7 +80,7 @@ bool parse(std::string_view text, T& out) {
 }  // namespace
 
 std::string to_text(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *text);
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
   const std::string text = fmt::format("{}", std::get<double>(value));

@@ -43,6 +43,16 @@ bool is_plain_number(hid_t type) {
   return false;
 }
 
+/// Bytes that a dataset takes in the file: what its header says, but no more than the file has. Only data in other
+/// files may be more, those of a virtual dataset or of external storage.
+double stored_size(hid_t dataset, hid_t properties) {
+  const auto said = static_cast<double>(H5Dget_storage_size(dataset));
+  if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0) return said;
+  const Handle file(H5Iget_file_id(dataset), H5Fclose);
+  hsize_t size = 0;
+  return H5Fget_filesize(file.get(), &size) < 0 ? said : std::min(said, static_cast<double>(size));
+}
+
 void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -176,7 +186,7 @@ std::size_t Dataset::checked_size() const {
   const double bytes = count * static_cast<double>(H5Tget_size(type.get()));
   const Handle properties(H5Dget_create_plist(id_.get()), H5Pclose);
   const double factor = H5Pget_layout(properties.get()) == H5D_CHUNKED ? max_compression : 1;
-  const auto stored = static_cast<double>(H5Dget_storage_size(id_.get()));
+  const double stored = stored_size(id_.get(), properties.get());
   if (bytes > factor * stored)
     fail(
         fmt::format("its shape asks for {:.0f} bytes, but the file holds {:.0f}: the file is damaged or was never "

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <toml.hpp>
+#include <cmath>
 
 #include "src/engine/errors.hpp"
+#include "src/study/toml_file.hpp"
 
 namespace sphk {
 
@@ -14,18 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr double max_points = 10000, max_repeat = 1000;
+
 [[noreturn]] void refuse(const toml::value& value, const std::string& problem, const std::string& comment) {
   throw InputError(toml::format_error(problem, value, comment));
-}
-
-toml::value parsed(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("cannot read the study file {}: is the path right?", path.string()));
-  try {
-    return toml::parse(file, path.string());
-  } catch (const std::exception& error) {
-    throw InputError(error.what());
-  }
 }
 
 /// The value as --set would take it.
@@ -43,6 +35,13 @@ double number_of(const toml::value& value) {
                                               : -1;
   if (!(number > 0)) refuse(value, "not a positive number", "a number above 0 is wanted here");
   return number;
+}
+
+int repeat_of(const toml::value& value) {
+  const double number = number_of(value);
+  if (number != std::floor(number) || number > max_repeat)
+    refuse(value, "not a number of runs", fmt::format("a whole number from 1 to {} is wanted here", max_repeat));
+  return static_cast<int>(number);
 }
 
 std::string string_of(const toml::value& value) {
@@ -81,9 +80,19 @@ std::vector<StudyAxis> axes_of(const toml::value& table) {
   return axes;
 }
 
+/// Every combination of the axes, which `where` gives; refuses more than anyone would run, before they fill the memory.
+std::vector<StudyPoint> checked_product(const std::vector<StudyAxis>& axes, const toml::value& where) {
+  double count = 1;
+  for (const StudyAxis& axis : axes) count *= static_cast<double>(axis.values.size());
+  if (count > max_points)
+    refuse(where, fmt::format("{:.6g} combinations of values", count),
+           fmt::format("at most {} are run; vary fewer keys, or give shorter lists", max_points));
+  return product_of(axes);
+}
+
 std::vector<StudyPoint> points_of(const toml::value& file) {
   const std::vector<StudyAxis> vary = file.contains("vary") ? axes_of(file.at("vary")) : std::vector<StudyAxis>{};
-  if (!file.contains("methods")) return product_of(vary);
+  if (!file.contains("methods")) return vary.empty() ? product_of(vary) : checked_product(vary, file.at("vary"));
   if (!file.at("methods").is_array())
     refuse(file.at("methods"), "not a list of methods", "write [[methods]], with two brackets, above each");
   std::vector<StudyPoint> points;
@@ -93,7 +102,7 @@ std::vector<StudyPoint> points_of(const toml::value& file) {
     std::ranges::copy_if(vary, std::back_inserter(axes), [&](const StudyAxis& axis) {
       return std::ranges::find(own, axis.key, &StudyAxis::key) == own.end();
     });
-    std::ranges::move(product_of(axes), std::back_inserter(points));
+    std::ranges::move(checked_product(axes, method), std::back_inserter(points));
   }
   return points;
 }
@@ -102,12 +111,12 @@ std::vector<StudyPoint> points_of(const toml::value& file) {
 
 bool is_study_file(const fs::path& path) {
   if (path.extension() != ".toml" || !fs::is_regular_file(path)) return false;
-  const toml::value file = parsed(path);
+  const toml::value file = parse_toml(path, "study file");
   return file.contains("vary") || file.contains("methods");
 }
 
 StudyPlan read_study_file(const fs::path& path) {
-  const toml::value file = parsed(path);
+  const toml::value file = parse_toml(path, "study file");
   StudyPlan plan;
   plan.name = path.stem().string();
   for (const auto& [name, value] : file.as_table()) {
@@ -120,7 +129,7 @@ StudyPlan read_study_file(const fs::path& path) {
     else if (name == "target")
       plan.target = number_of(value);
     else if (name == "repeat")
-      plan.repeat = static_cast<int>(number_of(value));
+      plan.repeat = repeat_of(value);
     else if (name == "others")
       plan.others = path.parent_path() / string_of(value);
     else if (name == "budgets" && value.is_array())

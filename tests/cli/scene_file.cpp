@@ -110,5 +110,18 @@ TEST_F(SceneFileTest, TheUsedFileReadsBackToTheSameSettings) {
   for (std::size_t k = 0; k < before.keys().size(); ++k) EXPECT_EQ(settings.keys()[k].value, before.keys()[k].value);
 }
 
+TEST_F(SceneFileTest, TheUsedFileReadsBackWhateverItsStringsHold) {
+  const std::string odd = "C:\\new \"folder\"\n\t\x01\x7f # \u00e9'";
+  settings.declare({.name = "scene.file", .value = odd, .doc = "a path", .choices = {}});
+  const std::string text = used_scene_file(settings, "file");
+  settings.set("scene.file", std::string(), Origin::file);
+  EXPECT_TRUE(problems(text).empty()) << text;
+  EXPECT_EQ(settings.text("scene.file"), odd);
+}
+
+TEST_F(SceneFileTest, BytesThatAreNoTextAreInputErrors) {
+  EXPECT_THROW(file("scene = \"sod\"\n[sph]\nkernel = 'hoc\x8c\xd4'\n"), InputError);
+}
+
 }  // namespace
 }  // namespace sphk

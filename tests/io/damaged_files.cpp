@@ -1,3 +1,4 @@
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -54,6 +55,27 @@ TEST_F(DamagedFiles, EveryTruncationIsRefused) {
     put(good.substr(0, length));
     EXPECT_TRUE(refused()) << length << " of " << good.size() << " bytes";
   }
+}
+
+/// A dataset in one piece whose shape and size in the file both say 2^50 bytes: neither may be believed.
+TEST_F(DamagedFiles, NoMoreIsAskedForThanTheFileHolds) {
+  const auto bytes = [](std::uint64_t number) {
+    std::string text(sizeof(number), '\0');
+    std::memcpy(text.data(), &number, sizeof(number));
+    return text;
+  };
+  constexpr std::uint64_t size = 12347;
+  auto made = hdf5::File::create();
+  made.write("Data", std::vector<std::uint8_t>(size));
+  made.save(file("good.hdf5"));
+  std::string bad = bytes_of(file("good.hdf5"));
+  int changed = 0;
+  for (auto at = bad.find(bytes(size)); at != std::string::npos; at = bad.find(bytes(size)), ++changed)
+    bad.replace(at, sizeof(size), bytes(std::uint64_t{1} << 50));
+  ASSERT_GE(changed, 2);
+  put(bad);
+  const auto read = [&] { hdf5::File::open(file("bad.hdf5")).dataset("Data").read<std::uint8_t>(); };
+  EXPECT_TRUE(mentions(input_error(read), {"asks for 1125899906842624 bytes", "but the file holds"}));
 }
 
 /// A fixed choice of bytes: for a few in ten thousand of the others HDF5 1.10 reads so far past its buffers that it

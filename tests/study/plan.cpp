@@ -80,6 +80,24 @@ TEST_F(StudyPlans, SayWhatIsWrongAndWhere) {
   EXPECT_FALSE(complaint("scene = \"sod").empty());
 }
 
+// Twenty keys of four values each are a million million points, which no memory holds.
+TEST_F(StudyPlans, WithMorePointsThanAnyoneRunsAreRefused) {
+  std::string keys;
+  for (char key = 'a'; key < 'u'; ++key) keys += std::string(1, key) + " = [1, 2, 3, 4]\n";
+  for (const std::string section : {"[vary]\n", "[[methods]]\n"}) {
+    const std::string text = complaint("scene = \"sod\"\n" + section + keys);
+    EXPECT_NE(text.find("1.09951e+12 combinations"), std::string::npos) << text;
+  }
+}
+
+TEST_F(StudyPlans, RepeatWholeNumbersOfTimes) {
+  EXPECT_EQ(read_study_file(write("scene = \"sod\"\nrepeat = 3.0\n")).repeat, 3);
+  for (const std::string number : {"1e300", "inf", "9223372036854775807", "1.5", "0", "nan"}) {
+    const std::string text = complaint("scene = \"sod\"\nrepeat = " + number + "\n");
+    EXPECT_NE(text.find("number"), std::string::npos) << number << ": " << text;
+  }
+}
+
 TEST_F(StudyPlans, AreToldFromSceneFiles) {
   EXPECT_TRUE(is_study_file(write("scene = \"sod\"\n[vary]\nscene.n = [8]\n")));
   EXPECT_FALSE(is_study_file(write("[scene]\nname = \"sod\"\n")));
