@@ -15,6 +15,9 @@ namespace sphk {
 
 namespace {
 
+/// A field with more columns than this is named only: without rows it may claim any number of them.
+constexpr std::size_t max_columns = 16;
+
 std::string line(const char* name, const std::string& value) {
   return fmt::format("  {:<11} {}\n", name, value);
 }
@@ -83,6 +86,7 @@ std::string field_lines(const std::string& name, const hdf5::Dataset& dataset) {
   if (!dataset.is_number()) return fmt::format("  {:<28}not numbers\n", name);
   const auto shape = dataset.shape();
   const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
+  if (columns > max_columns) return fmt::format("  {:<28}{} columns\n", name, columns);
   const std::vector<double> values = dataset.read<double>();
   std::string text;
   for (std::size_t k = 0; k < columns; ++k) {

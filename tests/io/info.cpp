@@ -36,5 +36,13 @@ TEST_F(Info, RemarksOfTheReaderAreShown) {
   EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"note: there is no Units group"}));
 }
 
+// No rows of so many columns are no bytes at all, so that the size of the file does not speak against them.
+TEST_F(Info, AFieldOfEndlessColumnsIsOneLine) {
+  auto made = ExampleIc{}.make();
+  made.group("PartType0").write("Wide", std::vector<double>{}, hsize_t{1} << 40);
+  made.save(file("wide.hdf5"));
+  EXPECT_TRUE(mentions(file_info(file("wide.hdf5")), {"Wide", "1099511627776 columns"}));
+}
+
 }  // namespace
 }  // namespace sphk
