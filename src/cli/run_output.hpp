@@ -28,10 +28,11 @@ struct OutputState {
 class RunOutput {
  public:
   /// `scene` and `settings` must outlive this. Writes scene.used.toml at once.
-  RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings);
+  RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings);
   /// Goes on in a folder where that much is written already; rows after it are taken back. Throws InputError where the
   /// history has been lost.
-  RunOutput(std::filesystem::path folder, const Scene& scene, const Settings& settings, const OutputState& reached);
+  RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings,
+            const OutputState& reached);
 
   OutputState state() const;
   const SnapshotInfo& info() const { return info_; }
@@ -57,6 +58,9 @@ class RunOutput {
   const std::string& last_snapshot() const { return series_.back().name; }
 
  private:
+  RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings, History history);
+  void add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures);
+
   std::filesystem::path folder_;
   const Scene& scene_;
   const Settings& settings_;
@@ -70,8 +74,6 @@ class RunOutput {
   std::optional<Totals> start_;
   long last_step_ = -1;
   double seconds_ = 0;
-
-  void add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures);
 };
 
 /// What the files of a run say about it.

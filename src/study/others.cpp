@@ -55,6 +55,9 @@ std::vector<OtherPoint> read_others(const std::filesystem::path& path) {
     };
     points.push_back({text("engine"), text("setting"), positive("error"), positive("cpu_seconds"), text("machine")});
   }
+  if (columns.empty())
+    throw InputError(fmt::format("{} holds no table; its first line is: engine,setting,error,cpu_seconds,machine",
+                                 path.string()));
   return points;
 }
 

@@ -154,6 +154,8 @@ TEST_F(StudyPlans, TakeOtherEnginesFromCsv) {
   EXPECT_EQ(points[0].error, 0.5);
   EXPECT_EQ(points[0].cpu, 20);
   EXPECT_EQ(points[0].machine, "A box");
+  EXPECT_NE(complaint("# nothing but a remark\n").find("holds no table"), std::string::npos);
+  EXPECT_THROW(read_others(folder.path()), InputError) << "a folder opens, but has no lines";
   EXPECT_NE(complaint("engine,error\n").find("no column \"setting\""), std::string::npos);
   const std::string head = "engine,setting,error,cpu_seconds,machine\n";
   EXPECT_NE(complaint(head + "a,b,0.1,2\n").find("others.csv:2: 4 values for 5 columns"), std::string::npos);
