@@ -87,6 +87,7 @@ struct ClosingKick {
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
     if (!state.active.contains(i)) return;
+    if (state.parameters.central_mass > 0) pull(i);
     const double half = 0.5 * state.clock.step_of(i);
     double sum = 0;  // not finite where anything of the particle is not
     for (int d = 0; d < D; ++d) {
@@ -107,6 +108,14 @@ struct ClosingKick {
     sum += state.template at<Thermal>(i);
     const double asked = state.step_asked(i);
     limit += {asked > 0 && Kokkos::isfinite(sum) ? asked : 0, i};
+  }
+
+ private:
+  /// The central mass pulls beside the forces of the pairs.
+  KOKKOS_INLINE_FUNCTION void pull(int i) const {
+    const double rate2 = state.central_rate2(i);
+    for (int d = 0; d < D; ++d)
+      state.template at<Acceleration>(i, d) -= rate2 * state.template at<Position>(i, d);
   }
 };
 

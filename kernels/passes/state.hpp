@@ -93,9 +93,21 @@ struct Particles {
   KOKKOS_FORCEINLINE_FUNCTION double state_density(int i) const {
     return columns.data(static_cast<std::size_t>(state_density_row) * columns.stride + i);
   }
-  /// dt = C h_i / v_max,i (S12 eq 43).
+  /// r^2 + softening^2 of a particle and the central mass.
+  KOKKOS_INLINE_FUNCTION double softened_distance2(int i) const {
+    double r2 = parameters.softening * parameters.softening;
+    for (int d = 0; d < L::dimension; ++d) r2 += at<Position>(i, d) * at<Position>(i, d);
+    return r2;
+  }
+  /// G M / (r^2 + softening^2)^(3/2): the squared rate at which the particle circles the central mass.
+  KOKKOS_INLINE_FUNCTION double central_rate2(int i) const {
+    const double r2 = softened_distance2(i);
+    return parameters.central_mass / (r2 * Kokkos::sqrt(r2));
+  }
+  /// dt = C h_i / v_max,i (S12 eq 43), and C over the rate of circling.
   KOKKOS_INLINE_FUNCTION double step_asked(int i) const {
-    return parameters.courant * at<Support>(i) / at<MaxSignalVelocity>(i);
+    const double asked = parameters.courant * at<Support>(i) / at<MaxSignalVelocity>(i);
+    return parameters.central_mass > 0 ? min(asked, parameters.courant / Kokkos::sqrt(central_rate2(i))) : asked;
   }
 };
 

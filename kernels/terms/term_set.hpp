@@ -31,6 +31,8 @@ struct Parameters {
   bool balsara = true;               ///< Balsara's factor limits the viscosity of the classic schemes
   bool motion = true;                ///< particles move; else they keep their places and velocities
   double h_max = 0;                  ///< cap of the support radius
+  double central_mass = 0;           ///< G M of a mass at the origin, which pulls all particles; 0: none
+  double softening = 0;              ///< of its potential - G M / sqrt(r^2 + softening^2)
 };
 
 /// A term is a pure function of two particles' values, `term(sum, i, j, ij)`, which adds its share of the pair to i's

@@ -27,6 +27,7 @@ std::string to_text(const LoopState& loop, const OutputState& output, const Box&
               {"joules", loop.joules ? Json(*loop.joules) : Json(nullptr)},
               {"next_snapshot", loop.next_snapshot},
               {"next_row", loop.next_row},
+              {"next_heating", loop.next_heating},
               {"snapshot_times", output.snapshot_times},
               {"history_bytes", output.history_bytes},
               {"last_step", output.last_step},
@@ -46,7 +47,8 @@ SavedRun from_text(const std::string& text) {
               .cpu = json["cpu"],
               .joules = json["joules"].is_null() ? std::nullopt : std::optional<double>(json["joules"]),
               .next_snapshot = json["next_snapshot"],
-              .next_row = json["next_row"]};
+              .next_row = json["next_row"],
+              .next_heating = json["next_heating"]};
   run.output = {.snapshot_times = json["snapshot_times"],
                 .history_bytes = json["history_bytes"],
                 .last_step = json["last_step"],

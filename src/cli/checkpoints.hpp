@@ -17,7 +17,8 @@ struct LoopState {
   double wall = 0, cpu = 0;
   std::optional<double> joules;
   long next_snapshot = 1;
-  std::size_t next_row = 0;  ///< of the plan's further rows
+  std::size_t next_row = 0;      ///< of the plan's further rows
+  std::size_t next_heating = 0;  ///< of the plan's
 };
 
 /// A run as a checkpoint holds it.

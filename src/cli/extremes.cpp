@@ -1,18 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "src/cli/child.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/extreme_outcomes.hpp"
 #include "src/cli/stop_signal.hpp"
-#include "src/cli/study_record.hpp"
 #include "src/engine/errors.hpp"
-#include "src/io/hdf5_file.hpp"
-#include "src/io/reader.hpp"
-#include "src/report/history.hpp"
-#include "src/report/quantity.hpp"
 #include "src/report/table.hpp"
 #include "src/report/text_file.hpp"
 #include "src/study/extremes.hpp"
@@ -23,72 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* longest = "600";  // wall-clock seconds that a case may take
-
-/// What a requirement's quantity came to.
-struct Outcome {
-  std::string required, found;
-  bool passed = false;
-};
-
-/// Columns of the last snapshot that no run may spoil.
-Outcome check_numbers(const fs::path& snapshot) {
-  const hdf5::File file = hdf5::File::open(snapshot);
-  const hdf5::Group gas = file.group("PartType0");
-  for (const char* name :
-       {"Coordinates", "Velocities", "Masses", "Densities", "InternalEnergies", "Pressures", "Entropies"}) {
-    const auto values = gas.dataset(name).read<double>();
-    const bool positive = std::string(name) != "Coordinates" && std::string(name) != "Velocities";
-    const auto wrong =
-        std::ranges::find_if(values, [&](double value) { return !std::isfinite(value) || (positive && !(value > 0)); });
-    if (wrong != values.end())
-      return {"finite, > 0", fmt::format("{} {:g} at row {}", name, *wrong, wrong - values.begin()), false};
-  }
-  return {"finite, > 0", "yes", true};
-}
-
-/// Distance of the foremost shock from where the exact solution has it, in support radii of the gas ahead: a shock is
-/// as wide. It is where the density, from the right, first passes the mean of both sides.
-double front_distance(const fs::path& folder) {
-  const Problem problem = resolve_problem((folder / "scene.used.toml").string(), {});
-  const ParticleSet gas = read_particles(folder / "snap_0001.hdf5").particles;
-  const std::vector<double> rho =
-      hdf5::File::open(folder / "snap_0001.hdf5").group("PartType0").dataset("Densities").read<double>();
-  const PlotHint hint = problem.scene->plot_hint(problem.settings);
-  const auto exact = problem.scene->exact(problem.settings);
-  const double ahead = exact({hint.to, 0, 0}, gas.time).rho;
-  double place = hint.to;
-  const double step = 1e-5 * (hint.to - hint.from);
-  while (place > hint.from && std::abs(exact({place, 0, 0}, gas.time).rho / ahead - 1) < 0.01) place -= step;
-  const double middle = std::sqrt(ahead * exact({place - 10 * step, 0, 0}, gas.time).rho);
-  double found = hint.from, first_ahead = hint.to, h = 1;
-  for (std::size_t i = 0; i < gas.size(); ++i)
-    if (gas.x[i][0] < hint.to && gas.x[i][0] > found && rho[i] > middle) found = gas.x[i][0];
-  for (std::size_t i = 0; i < gas.size(); ++i)
-    if (gas.x[i][0] > std::max(found, place) && gas.x[i][0] < first_ahead && rho[i] < 1.1 * ahead)
-      first_ahead = gas.x[i][0], h = gas.h[i];
-  return std::abs(found - place) / h;
-}
-
-double quantity_of(const std::string& name, const fs::path& folder, const Json& run) {
-  if (name == "front") return front_distance(folder);
-  if (name == "energy" || name == "momentum") return run["conservation"][name];
-  if (name.starts_with("l1_")) return run["errors"][name.substr(3)]["l1"];
-  return read_history(folder / "history.csv").back().at(name);
-}
-
-std::vector<Outcome> outcomes_of(const ExtremeCase& one, const fs::path& folder) {
-  std::vector<Outcome> outcomes{check_numbers(folder / "snap_0001.hdf5")};
-  const Json run = read_json(folder / "run.json");
-  for (const Requirement& requirement : one.requirements) {
-    const double value = quantity_of(requirement.quantity, folder, run);
-    outcomes.push_back({fmt::format("{} < {:g}", requirement.quantity, requirement.bound), fmt::format("{:.2g}", value),
-                        value < requirement.bound});
-  }
-  return outcomes;
-}
 
 std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
   std::vector<std::string> words{"run",        one.scene, "--out", folder.string(),     "--overwrite",

@@ -139,6 +139,7 @@ int run_command(const RunOptions& options) {
                                        *problem.scene, problem.settings);
   Checkpoints checkpoints(output.folder(), saved ? saved->file : fs::path());
   plan.rows = output.deviations().times(begin, plan.end);
+  plan.heatings = problem.scene->heatings(problem.settings);
   RunLoop loop(*simulation, output, checkpoints, progress, plan, particles.box);
   if (saved) loop.resume(saved->loop);
   const auto conclude = [&] {

@@ -54,8 +54,18 @@ void RunLoop::tell(const StepReport& report) {
   progress_.report(report, simulation_.costs().updates, drift(output_.start(), simulation_.totals(), box_).energy);
 }
 
-/// Steps to a time; one that is cut short to it may miss it by round-off.
+/// Steps to a time, and heats on the way.
 void RunLoop::go(double until) {
+  for (auto& next = state_.next_heating; next < plan_.heatings.size() && plan_.heatings[next].time < until; ++next) {
+    advance(plan_.heatings[next].time);
+    if (stopped_ || steps_over()) return;
+    simulation_.heat(plan_.heatings[next].place, plan_.heatings[next].energy);
+  }
+  advance(until);
+}
+
+/// Steps to a time; one that is cut short to it may miss it by round-off.
+void RunLoop::advance(double until) {
   while (simulation_.time() < until - round_off() && !steps_over() && !stopped_) {
     step(until);
     stopped_ = asked_to_stop();

@@ -24,6 +24,7 @@ Totals totals_of(const HistoryRow& row) {
   totals.mass = row.at("mass");
   totals.kinetic = row.at("kinetic_energy");
   totals.thermal = row.at("thermal_energy");
+  totals.potential = row.at("potential_energy");
   for (int d = 0; d < 3; ++d) {
     totals.momentum[d] = row.at(std::string("momentum_") + "xyz"[d]);
     totals.angular_momentum[d] = row.at(std::string("angular_momentum_") + "xyz"[d]);

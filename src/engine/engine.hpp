@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "src/engine/archive.hpp"
+#include "src/engine/heating.hpp"
 #include "src/engine/load_run.hpp"
 #include "src/engine/neighbour_counts.hpp"
 #include "src/engine/output.hpp"
@@ -64,10 +65,30 @@ class Engine final : public Simulation {
     return report_;
   }
 
+  void heat(const Array3& place, double energy) override {
+    StepClock& clock = run_.state.clock;
+    if (clock.individual) {
+      if (!all_in_step()) wake_all(run_.state);
+      clock.now = clock.next = 0;
+      Kokkos::deep_copy(ExecutionSpace(), clock.begin, 0);
+      Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
+    }
+    clock.dt = 0;
+    heat_nearest(run_.state, place, energy);
+    heated_ += energy;
+    run_passes();
+    require_finite(run_.limit, run_.time, run_.step);
+    start_ = run_.time;
+  }
+
   double time() const override { return run_.time; }
   std::size_t size() const override { return static_cast<std::size_t>(run_.state.n); }
   StepReport last_step() const override { return report_; }
-  Totals totals() const override { return sphk::totals(run_.state); }
+  Totals totals() const override {
+    Totals totals = sphk::totals(run_.state);
+    totals.heated = heated_;
+    return totals;
+  }
 
   Costs costs() const override {
     Costs costs = costs_;
@@ -135,6 +156,7 @@ class Engine final : public Simulation {
       archive("active_masks", run.state.active.masks);
     }
     archive("start", self.start_);
+    archive("heated", self.heated_);
     archive("end_of_step", self.end_of_step_);
     archive("block_begin", self.block_begin_);
     archive("block_end", self.block_end_);
@@ -157,6 +179,11 @@ class Engine final : public Simulation {
     }
   }
 
+  bool all_in_step() const {
+    const StepClock& clock = run_.state.clock;
+    return clock.now == 0 || clock.now == StepClock::block;
+  }
+
   void begin_step(double t_end) {
     StepClock& clock = run_.state.clock;
     clock.dt = next_dt(t_end);
@@ -168,7 +195,7 @@ class Engine final : public Simulation {
   /// time asked for when the block begins.
   void begin_substep(double t_end) {
     StepClock& clock = run_.state.clock;
-    const bool in_step = clock.now == 0 || clock.now == StepClock::block;
+    const bool in_step = all_in_step();
     if (!in_step && t_end != block_end_) wake_all(run_.state);
     if (in_step || t_end != block_end_) begin_block(t_end);
     clock.next = first_end(run_.state);
@@ -207,7 +234,9 @@ class Engine final : public Simulation {
   Box origin_;
   Field tags_;  ///< they do not change, and snapshots are sorted by id too
   double steps_accept_, max_dt_;
-  double start_ = run_.time, end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
+  double heated_ = 0;
+  double start_ = run_.time;  ///< when all particles last began with one step
+  double end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
   long updates_since_count_ = 0;
   std::vector<double> seconds_;  ///< of the passes
   StepReport report_;

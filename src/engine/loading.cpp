@@ -44,7 +44,9 @@ Parameters parameters_of(const ParticleSet& particles, const SimulationSettings&
           .signed_conductivity = settings.conductivity != "price",
           .balsara = settings.balsara,
           .motion = settings.motion,
-          .h_max = support_cap(particles, settings)};
+          .h_max = support_cap(particles, settings),
+          .central_mass = settings.central_mass,
+          .softening = settings.softening};
 }
 
 }  // namespace sphk

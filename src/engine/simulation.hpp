@@ -36,15 +36,19 @@ struct SimulationSettings {
   bool step_limiter = true;  ///< steps of neighbours stay within a factor 4
   double h_max = 0;          ///< cap of the support radius; 0: none but the box
   double max_dt = 0;         ///< 0: no cap
+  double central_mass = 0;   ///< G M of a mass at the origin that pulls the gas; 0: none
+  double softening = 0;      ///< of its potential - G M / sqrt(r^2 + softening^2)
 };
 
 /// Conserved sums and extremes over all particles, at the current time.
 struct Totals {
   double mass = 0, kinetic = 0, thermal = 0;
+  double potential = 0;  ///< of the gas and the central mass
+  double heated = 0;     ///< energy that Simulation::heat has added
   Array3 momentum{}, angular_momentum{};
   double max_speed = 0;
   double min_density = 0, max_density = 0, min_pressure = 0, max_pressure = 0, min_entropy = 0, max_entropy = 0;
-  double energy() const { return kinetic + thermal; }
+  double energy() const { return kinetic + thermal + potential; }
 };
 
 /// What the last step did.
@@ -66,12 +70,22 @@ struct Costs {
   std::vector<std::pair<std::string, double>> phases;  ///< name, seconds, in the order of a step
 };
 
+/// Energy that the particle nearest to a place takes in at once.
+struct HeatEvent {
+  double time = 0;
+  Array3 place{};
+  double energy = 0;
+};
+
 /// A run in progress. Created by make_simulation (src/schemes/registry.hpp).
 class Simulation {
  public:
   virtual ~Simulation() = default;
   /// Advances by one time-step, cut short so that it never passes `t_end`. Throws NumericsError.
   virtual StepReport step(double t_end) = 0;
+  /// Adds the energy to the particle nearest to the place, now. Every particle's step ends, and all begin anew with the
+  /// shortest step that any of them asks for. Throws NumericsError.
+  virtual void heat(const Array3& place, double energy) = 0;
   virtual double time() const = 0;
   virtual std::size_t size() const = 0;
   virtual Totals totals() const = 0;

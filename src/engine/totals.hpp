@@ -6,7 +6,7 @@ namespace sphk::detail {
 
 /// Sums and extremes over particles, as a reduction.
 struct TotalsSum {
-  double mass = 0, kinetic = 0, thermal = 0;
+  double mass = 0, kinetic = 0, thermal = 0, potential = 0;
   double p[3] = {0, 0, 0}, L[3] = {0, 0, 0};
   double max_speed2 = 0;
   double lowest[3] = {1e300, 1e300, 1e300};  ///< of rho, P, A
@@ -16,6 +16,7 @@ struct TotalsSum {
     mass += b.mass;
     kinetic += b.kinetic;
     thermal += b.thermal;
+    potential += b.potential;
     max_speed2 = max(max_speed2, b.max_speed2);
     for (int k = 0; k < 3; ++k) {
       p[k] += b.p[k];
@@ -41,6 +42,8 @@ struct SumTotals {
     one.mass = m;
     one.kinetic = 0.5 * m * v2;
     one.thermal = m * P / ((gamma - 1) * rho);
+    if (state.parameters.central_mass > 0)
+      one.potential = -m * state.parameters.central_mass / Kokkos::sqrt(state.softened_distance2(i));
     one.max_speed2 = v2;
     for (int k = 0; k < 3; ++k) {
       const int a = (k + 1) % 3, b = (k + 2) % 3;
@@ -74,6 +77,7 @@ Totals totals(const Particles<L>& state) {
   totals.mass = sum.mass;
   totals.kinetic = sum.kinetic;
   totals.thermal = sum.thermal;
+  totals.potential = sum.potential;
   totals.max_speed = std::sqrt(sum.max_speed2);
   for (int k = 0; k < 3; ++k) totals.momentum[k] = sum.p[k], totals.angular_momentum[k] = sum.L[k];
   totals.min_density = sum.lowest[0], totals.max_density = sum.highest[0];

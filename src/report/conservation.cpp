@@ -23,10 +23,11 @@ double relative(double difference, double scale) {
 }  // namespace
 
 Conservation drift(const Totals& start, const Totals& now, const Box& box) {
-  const double p_scale = std::sqrt(2 * start.mass * std::max(start.energy(), 0.0));
+  const double p_scale = std::sqrt(2 * start.mass * (start.kinetic + start.thermal));
+  const double heat = now.heated - start.heated;
   const double side = *std::ranges::max_element(box.size);
   return {
-      .energy = relative(std::abs(now.energy() - start.energy()), std::abs(start.energy())),
+      .energy = relative(std::abs(now.energy() - heat - start.energy()), std::abs(start.energy() + heat)),
       .momentum = relative(distance(now.momentum, start.momentum), std::max(length(start.momentum), p_scale)),
       .angular_momentum = relative(distance(now.angular_momentum, start.angular_momentum),
                                    std::max(length(start.angular_momentum), p_scale * side)),

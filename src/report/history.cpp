@@ -24,6 +24,7 @@ History::Measures standard_columns(const StepReport& step, const Totals& t, cons
           {"dt", step.dt},
           {"kinetic_energy", t.kinetic},
           {"thermal_energy", t.thermal},
+          {"potential_energy", t.potential},
           {"total_energy", t.energy()},
           {"momentum_x", p[0]},
           {"momentum_y", p[1]},

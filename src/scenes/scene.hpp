@@ -58,6 +58,8 @@ class Scene {
   /// Velocities that depend on where the particles are, once they have settled elsewhere (initial_condition.hpp); by
   /// default particles keep theirs.
   virtual void set_velocities(ParticleSet&, const Settings&) const {}
+  /// Heat that the gas takes in during the run, in the order of times.
+  virtual std::vector<HeatEvent> heatings(const Settings&) const { return {}; }
   /// The exact solution, if there is one.
   virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }
   /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no

@@ -16,6 +16,7 @@ const Scene& kh18_scene();
 const Scene& mcnally_scene();
 const Scene& shearing_scene();
 const Scene& blob_scene();
+const Scene& ring_scene();
 const Scene& square_scene();
 const Scene& uniform_scene();
 

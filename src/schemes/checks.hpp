@@ -9,7 +9,8 @@ namespace sphk {
 /// by more than its size, lists of different lengths.
 void check_runnable(const ParticleSet& particles);
 
-/// Throws InputError for settings that no run can meet, such as fewer neighbours than the self term counts.
-void check_runnable(const SimulationSettings& settings, int dimension);
+/// Throws InputError for settings that no run of these particles can meet, such as fewer neighbours than the self term
+/// counts.
+void check_runnable(const SimulationSettings& settings, const ParticleSet& particles);
 
 }  // namespace sphk

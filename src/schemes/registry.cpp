@@ -205,6 +205,9 @@ void declare_engine_keys(Settings& settings) {
   settings.declare(
       {"time.motion", true, "false: particles keep their places and velocities and only exchange heat and mass", {}});
   settings.declare({"time.max_dt", 0.0, "largest time-step; 0: no limit", {}, 0, 1e300});
+  settings.declare(
+      {"gravity.central_mass", 0.0, "G M of a mass at the origin that pulls the gas; 0: none", {}, 0, 1e300});
+  settings.declare({"gravity.softening", 0.0, "of its potential - G M / sqrt(r^2 + softening^2)", {}, 0, 1e300});
 }
 
 namespace {
@@ -242,7 +245,9 @@ SimulationSettings simulation_settings(const Settings& settings) {
           .individual_steps = has_individual_steps(settings),
           .step_limiter = settings.flag("time.limiter"),
           .h_max = settings.real("sph.h_max"),
-          .max_dt = settings.real("time.max_dt")};
+          .max_dt = settings.real("time.max_dt"),
+          .central_mass = settings.real("gravity.central_mass"),
+          .softening = settings.real("gravity.softening")};
 }
 
 SchemeDescription describe(const SimulationSettings& settings, const ParticleSet& particles) {
@@ -259,7 +264,7 @@ SchemeDescription describe(const SimulationSettings& settings, const ParticleSet
 
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {
   check_runnable(particles);
-  check_runnable(settings, particles.dimension);
+  check_runnable(settings, particles);
   return choose(settings, particles.dimension, have_equal_masses(particles)).make(particles, settings);
 }
 

@@ -28,6 +28,7 @@ class Clock : public Simulation {
     if (last_.step == stops_at) std::raise(SIGTERM);
     return last_;
   }
+  void heat(const Array3&, double energy) override { heated += energy, heat_times.push_back(last_.time); }
   double time() const override { return last_.time; }
   std::size_t size() const override { return 1; }
   Totals totals() const override { return {.mass = 1, .thermal = 1, .momentum = {}, .angular_momentum = {}}; }
@@ -50,7 +51,8 @@ class Clock : public Simulation {
   void restore(const SavedState&) override {}
   std::vector<std::string> warnings() const override { return {}; }
 
-  std::vector<double> ends;  ///< the t_end of every step
+  std::vector<double> ends, heat_times;  ///< the t_end of every step, the times of heatings
+  double heated = 0;
   long fails_at = 0, stops_at = 0;
 
  private:
@@ -117,6 +119,14 @@ TEST_F(RunLoopTest, FurtherRowsOfTheHistoryComeWithoutSnapshots) {
   EXPECT_EQ(times(), (std::vector<double>{0, 0.1, 0.4, 0.5, 0.51, 1}));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "snap_0002.hdf5"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "snap_0003.hdf5"));
+}
+
+TEST_F(RunLoopTest, HeatComesAtItsTimeAndOnce) {
+  Clock clock(0.07);
+  run(clock, {.end = 1, .steps = 0, .snapshots = 2, .rows = {0.1}, .heatings = {{0, {}, 1}, {0.3, {}, 2}, {0.5, {}, 4}}});
+  EXPECT_EQ(clock.heat_times, (std::vector<double>{0, 0.3, 0.5}));
+  EXPECT_EQ(clock.heated, 7);
+  EXPECT_EQ(times(), (std::vector<double>{0, 0.1, 0.5, 1})) << "heat makes no row of its own";
 }
 
 TEST_F(RunLoopTest, ParaviewsSeriesNamesEverySnapshot) {

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/scenes/keys.hpp"
+#include "src/scenes/mass_profile.hpp"
+#include "src/scenes/norms.hpp"
+#include "src/scenes/scenes.hpp"
+
+namespace sphk {
+
+namespace {
+
+constexpr double middle = 1, width = 0.125;  ///< of the ring
+constexpr double inner = middle - 3 * width, outer = middle + 3 * width;
+
+/// Surface density of the ring (Cullen & Dehnen 2010, sec 4.3, scaled to radius 1).
+double density(double R) {
+  const double s = (R - middle) / width;
+  return std::exp(-0.5 * s * s);
+}
+
+/// What an integral over the ring's area has at R.
+double per_radius(double R) {
+  return 2 * std::numbers::pi * R * density(R);
+}
+
+/// Mean of R and its rms deviation, weighted with w.
+struct Spread {
+  double sum = 0, first = 0, second = 0;
+  void add(double R, double w) { sum += w, first += w * R, second += w * R * R; }
+  double mean() const { return first / sum; }
+  double deviation() const { return std::sqrt(std::max(second / sum - mean() * mean(), 0.0)); }
+};
+
+Spread spread_at_start() {
+  Spread spread;
+  constexpr int points = 4000;
+  for (int k = 0; k < points; ++k) {
+    const double R = inner + (k + 0.5) / points * (outer - inner);
+    spread.add(R, per_radius(R));
+  }
+  return spread;
+}
+
+/// A cold ring circles a mass: shear without compression, so that viscosity has nothing to do and particles must keep
+/// their order (Cullen & Dehnen 2010, sec 4.3).
+class Ring final : public Scene {
+ public:
+  std::string name() const override { return "ring"; }
+  std::string summary() const override { return "a cold ring circles a mass: no viscosity in shear (Cullen & Dehnen)"; }
+
+  void declare(Settings& settings) const override {
+    declare_resolution(settings, 64, "particles per unit length where the ring of radius 1 is densest");
+    settings.declare({.name = "scene.mach",
+                      .value = 100.0,
+                      .doc = "Mach number of the motion at radius 1",
+                      .choices = {},
+                      .min = 5,
+                      .max = 1e6});
+    prefer_unless_set(settings, "gravity.central_mass", 1.0);
+    prefer_unless_set(settings, "sph.scheme", "sphs");
+    prefer_usual_gas(settings, 10 * std::numbers::pi);  // five orbits at radius 1
+    adapt(settings);
+  }
+  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, 2); }
+
+  /// Equal masses on circles, each with as many particles as make their distances along it and across alike.
+  ParticleSet build(const Settings& settings) const override {
+    const int n = scene_n(settings);
+    const double mass = 1.0 / (double(n) * n);
+    const MassProfile profile(per_radius, inner, outer - inner);
+    const double rings_mass = profile.mass();
+    ParticleSet gas;
+    gas.dimension = 2;
+    gas.box = {{-2, -2, 0}, {4, 4, 1}, {}};
+    double filled = 0;
+    for (bool odd = false; filled < rings_mass; odd = !odd) {
+      const double edge = profile.place(filled / rings_mass);
+      const double count = std::max(std::round(2 * std::numbers::pi * edge * n * std::sqrt(density(edge))), 1.0);
+      const double R = profile.place(std::min((filled + 0.5 * count * mass) / rings_mass, 1.0));
+      for (int k = 0; k < static_cast<int>(count); ++k) {
+        const double angle = 2 * std::numbers::pi * (k + (odd ? 0.5 : 0)) / count;
+        const double c = std::cos(angle), s = std::sin(angle), v = speed(R, settings);
+        gas.x.push_back({R * c, R * s, 0});
+        gas.v.push_back({-v * s, v * c, 0});
+      }
+      filled += count * mass;
+    }
+    gas.m.assign(gas.size(), mass);
+    gas.u.assign(gas.size(), energy(settings));
+    return gas;
+  }
+
+  /// A ring in balance stays as it is.
+  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+    return [settings](const Array3& x, double) -> GasState {
+      const double R = std::hypot(x[0], x[1]), rate = R > 0 ? speed(R, settings) / R : 0;
+      return {
+          density(R), {-rate * x[1], rate * x[0], 0}, (settings.real("sph.gamma") - 1) * density(R) * energy(settings)};
+    };
+  }
+  /// Within two widths of the middle.
+  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+    ProfileLine line = along_R(middle + 2 * width);
+    line.from = middle - 2 * width;
+    return profile_errors(snapshot, line, exact(settings));
+  }
+  /// The ring's mean radius and width over those of the start.
+  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
+    const auto &x = snapshot.field("Coordinates").values, &m = snapshot.field("Masses").values;
+    Spread spread;
+    for (std::size_t i = 0; i < m.size(); ++i) spread.add(std::hypot(x[3 * i], x[3 * i + 1]), m[i]);
+    const Spread start = spread_at_start();
+    return {{"ring_radius", spread.mean() / start.mean()}, {"ring_width", spread.deviation() / start.deviation()}};
+  }
+  PlotHint plot_hint(const Settings&) const override {
+    return {.abscissa = "R", .from = inner, .to = outer, .map = true};
+  }
+
+ private:
+  /// Specific energy, the same everywhere, for the speed of sound that scene.mach gives at radius 1.
+  static double energy(const Settings& settings) {
+    const double gamma = settings.real("sph.gamma"), mach = settings.real("scene.mach");
+    return settings.real("gravity.central_mass") / (mach * mach * gamma * (gamma - 1));
+  }
+  /// v^2/R = G M R / (R^2 + softening^2)^(3/2) + (dP/dR)/rho.
+  static double speed(double R, const Settings& settings) {
+    const double softening = settings.real("gravity.softening"), r2 = R * R + softening * softening;
+    const double gravity = settings.real("gravity.central_mass") * R * R / (r2 * std::sqrt(r2));
+    const double pressure = -(settings.real("sph.gamma") - 1) * energy(settings) * R * (R - middle) / (width * width);
+    return std::sqrt(std::max(gravity + pressure, 0.0));
+  }
+};
+
+}  // namespace
+
+const Scene& ring_scene() {
+  static const Ring scene;
+  return scene;
+}
+
+}  // namespace sphk
