@@ -124,9 +124,14 @@ class Square final : public Scene {
             {"gap", gap(problem, snapshot)},
             {"drift", radius(moment) / mass}};
   }
+  /// Through the middle of the dense gas at the end.
   PlotHint plot_hint(const Settings& settings) const override {
-    const bool layer = settings.text("scene.shape") == "layer";
-    return {.abscissa = layer ? "y" : "x", .from = 0, .to = 1, .map = true};
+    const Problem problem(settings);
+    return {.abscissa = problem.layer ? "y" : "x",
+            .from = 0,
+            .to = 1,
+            .centre = problem.unmoved({0.5, 0.5, 0.5}, -settings.real("time.end")),
+            .map = true};
   }
 
  private:
