@@ -1,9 +1,13 @@
 #include "src/scenes/explosion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
+#include "src/engine/errors.hpp"
 #include "src/scenes/block.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/scenes/norms.hpp"
@@ -15,18 +19,35 @@ namespace {
 
 constexpr double density = 1;
 
-/// Mean distance from the origin, weighted with the kinetic energy: it moves with a shock and does not feel how wide
-/// that is smeared.
-double kinetic_radius(const Snapshot& snapshot) {
+/// Mean distance from the origin, weighted with the kinetic energy, of the particles at places that `counts`: it moves
+/// with a shock and does not feel how wide that is smeared.
+template <class F>
+double kinetic_radius(const Snapshot& snapshot, F&& counts) {
   const auto &x = snapshot.field("Coordinates").values, &v = snapshot.field("Velocities").values;
   const auto& m = snapshot.field("Masses").values;
   double sum = 0, energy = 0;
   for (std::size_t i = 0; i < m.size(); ++i) {
+    const Array3 place{x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+    if (!counts(place)) continue;
     const double one = m[i] * (v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
-    sum += one * std::hypot(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
+    sum += one * radius(place);
     energy += one;
   }
   return energy > 0 ? sum / energy : 0;
+}
+
+/// The spread of that radius over cones along +x, -x, +y and so on: largest less smallest, over the mean. On the edge
+/// of a cone, at an angle of arccos(3/4), lies no site of a lattice.
+double roundness(const Snapshot& snapshot) {
+  double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
+  for (int axis = 0; axis < snapshot.dimension; ++axis)
+    for (const int side : {-1, 1}) {
+      const double here = kinetic_radius(snapshot, [&](const Array3& x) { return side * x[axis] > 0.75 * radius(x); });
+      least = std::min(least, here);
+      most = std::max(most, here);
+      sum += here;
+    }
+  return sum > 0 ? (most - least) / (sum / (2 * snapshot.dimension)) : 0;
 }
 
 /// The same of the exact solution, in units of the shock's radius.
@@ -44,6 +65,29 @@ double kinetic_radius(const SedovSolution& solution, int dimension) {
   return sum / energy;
 }
 
+/// The unit box around the origin in one block, or with scene.coarser = k > 1 in two, of which that at the end of the x
+/// axis begins at the first place from 0.125 on where both lattices end on whole cells.
+std::vector<Block> blocks_of(const Settings& settings) {
+  const int D = scene_dimension(settings), n = scene_n(settings);
+  const int coarser = static_cast<int>(settings.integer("scene.coarser"));
+  Block fine{.dimension = D, .counts = even_counts(D, n)};
+  for (int axis = 0; axis < D; ++axis) fine.lower[axis] = -0.5;
+  if (coarser == 1) return {fine};
+  if (n % coarser != 0 || n < 3 * coarser)
+    throw InputError(
+        fmt::format("scene.n = {} is not a multiple of scene.coarser = {} from {} on, so that the lattices "
+                    "do not both fit the box",
+                    n, coarser, 3 * coarser));
+  Block coarse = fine;
+  coarse.counts = even_counts(D, n / coarser);
+  coarse.counts[0] = 3 * n / (8 * coarser);
+  coarse.size[0] = static_cast<double>(coarse.counts[0] * coarser) / n;
+  fine.counts[0] = n - coarse.counts[0] * coarser;
+  fine.size[0] = static_cast<double>(fine.counts[0]) / n;
+  coarse.lower[0] += fine.size[0];
+  return {fine, coarse};
+}
+
 }  // namespace
 
 void Explosion::declare(Settings& settings) const {
@@ -52,6 +96,12 @@ void Explosion::declare(Settings& settings) const {
   declare_arrangement(settings, "cubic");
   settings.declare(
       {.name = "scene.energy", .value = 1.0, .doc = "energy of the explosion", .choices = {}, .min = 1e-300});
+  settings.declare({.name = "scene.coarser",
+                    .value = std::int64_t{1},
+                    .doc = "from x = 0.125 on particles on a lattice this many times coarser",
+                    .choices = {},
+                    .min = 1,
+                    .max = 100});
   prefer_usual_gas(settings, 0.05);
   adapt(settings);
 }
@@ -61,25 +111,25 @@ void Explosion::adapt(Settings& settings) const {
 }
 
 ParticleSet Explosion::build(const Settings& settings) const {
-  const int D = scene_dimension(settings), n = scene_n(settings);
-  Block block{.dimension = D, .counts = even_counts(D, n)};
-  for (int axis = 0; axis < D; ++axis) block.lower[axis] = -0.5;
   ParticleSet gas;
-  gas.dimension = D;
-  gas.box = {block.lower, block.size, {true, D > 1, D > 2}};
-  gas.x = arranged_points(block, settings.text("scene.lattice"));
+  gas.dimension = scene_dimension(settings);
+  for (int axis = 0; axis < gas.dimension; ++axis) gas.box.lower[axis] = -0.5, gas.box.periodic[axis] = true;
+  for (const Block& block : blocks_of(settings)) {
+    const std::vector<Array3> points = arranged_points(block, settings.text("scene.lattice"));
+    gas.x.insert(gas.x.end(), points.begin(), points.end());
+    gas.m.resize(gas.size(), density * block.size[0] / static_cast<double>(points.size()));
+  }
   gas.v.assign(gas.size(), {});
-  gas.m.assign(gas.size(), density / double(gas.size()));
   gas.u.assign(gas.size(), ambient_pressure(settings) / ((settings.real("sph.gamma") - 1) * density));
   explode(gas, settings);
   return gas;
 }
 
 std::function<GasState(const Array3&, double)> Explosion::exact(const Settings& settings) const {
-  const double E = settings.real("scene.energy"), P = ambient_pressure(settings);
+  const double E = settings.real("scene.energy"), P = ambient_pressure(settings), begin = start(settings);
   const auto solution = std::make_shared<SedovSolution>(scene_dimension(settings), settings.real("sph.gamma"));
-  return [=](const Array3& x, double t) -> GasState {
-    const double r = radius(x);
+  return [=](const Array3& x, double time) -> GasState {
+    const double r = radius(x), t = time - begin;
     if (t <= 0 || r >= solution->shock_radius(E, density, t)) return {density, {}, P};
     GasState state = solution->behind_shock(r, E, density, t);
     const double v = state.v[0] / std::max(r, 1e-300);
@@ -95,11 +145,14 @@ std::map<std::string, ErrorNorm> Explosion::errors(const Settings& settings, con
 std::vector<std::pair<std::string, double>> Explosion::measures(const Settings& settings,
                                                                 const Snapshot& snapshot) const {
   const SedovSolution solution(scene_dimension(settings), settings.real("sph.gamma"));
-  const double exact = snapshot.time > 0 ? solution.shock_radius(settings.real("scene.energy"), density, snapshot.time) : 0;
-  const double blast = kinetic_radius(snapshot) / kinetic_radius(solution, scene_dimension(settings));
+  const double t = snapshot.time - start(settings);
+  const double exact = t > 0 ? solution.shock_radius(settings.real("scene.energy"), density, t) : 0;
+  const double blast = kinetic_radius(snapshot, [](const Array3&) { return true; }) /
+                       kinetic_radius(solution, scene_dimension(settings));
   return {{"peak_density", std::ranges::max(snapshot.field("Densities").values)},
           {"blast_radius", blast},
-          {"blast_radius_exact", exact}};
+          {"blast_radius_exact", exact},
+          {"roundness", roundness(snapshot)}};
 }
 
 }  // namespace sphk

@@ -13,7 +13,9 @@ namespace sphk {
 namespace {
 
 /// Azimuthal velocity, S12 eq 45.
-double speed(double R) { return R < 0.2 ? 5 * R : R < 0.4 ? 2 - 5 * R : 0; }
+double speed(double R) {
+  return R < 0.2 ? 5 * R : R < 0.4 ? 2 - 5 * R : 0;
+}
 
 /// Pressure that balances it, S12 eq 46.
 double pressure(double R) {
@@ -25,6 +27,13 @@ double pressure(double R) {
 GasState vortex(const Array3& x) {
   const double R = std::hypot(x[0], x[1]), rate = R > 0 ? speed(R) / R : 5;
   return {1, {-rate * x[1], rate * x[0], 0}, pressure(R)};
+}
+
+/// Where a place of time t was at the start in the box around the origin, when all gas moves with `boost` along x and
+/// y.
+Array3 unmoved(const Array3& x, double boost, double t) {
+  if (boost == 0) return x;
+  return {wrapped(x[0] - boost * t + 0.5, 1) - 0.5, wrapped(x[1] - boost * t + 0.5, 1) - 0.5, x[2]};
 }
 
 Block block_of(const Settings& settings) {
@@ -44,40 +53,64 @@ class Gresho : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 64, "particles along the unit box");
     declare_dimension(settings, 3, 2);
-    settings.declare({.name = "scene.layers", .value = std::int64_t{0},
-                      .doc = "particles along the axis of the vortex; 0: n/8, as in S12", .choices = {}, .min = 0,
+    settings.declare({.name = "scene.layers",
+                      .value = std::int64_t{0},
+                      .doc = "particles along the axis of the vortex; 0: n/8, as in S12",
+                      .choices = {},
+                      .min = 0,
                       .max = 100000});
     declare_arrangement(settings, "cubic");
+    settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
     prefer_usual_gas(settings, 1.0);
     adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_kernel(settings, scene_dimension(settings));
-  }
+  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   ParticleSet build(const Settings& settings) const override {
     const Block block = block_of(settings);
     const double gamma = settings.real("sph.gamma");
+    const auto start = exact(settings);
     ParticleSet gas;
     gas.dimension = block.dimension;
     gas.box = {block.lower, block.size, {true, true, block.dimension == 3}};
     gas.x = arranged_points(block, settings.text("scene.lattice"));
     gas.m.assign(gas.size(), block.size[2] / double(gas.size()));
     for (const Array3& x : gas.x) {
-      const GasState state = vortex(x);
+      const GasState state = start(x, 0);
       gas.v.push_back(state.v);
       gas.u.push_back(state.P / (gamma - 1));
     }
     return gas;
   }
 
-  std::function<GasState(const Array3&, double)> exact(const Settings&) const override {
-    return [](const Array3& x, double) { return vortex(x); };
+  /// The vortex moves with the boost through the periodic box.
+  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+    return [boost = settings.real("scene.boost")](const Array3& x, double t) {
+      GasState state = vortex(unmoved(x, boost, t));
+      for (int axis = 0; axis < 2; ++axis) state.v[axis] += boost;
+      return state;
+    };
   }
+  /// In the frame of the vortex.
   std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
-    return profile_errors(snapshot, along_R(0.5), exact(settings));
+    Snapshot resting = snapshot;
+    const double boost = settings.real("scene.boost");
+    const auto values = [&](const char* name) -> std::vector<double>& {
+      return std::ranges::find(resting.fields, name, &Field::name)->values;
+    };
+    std::vector<double>&x = values("Coordinates"), &v = values("Velocities");
+    for (std::size_t i = 0; i < resting.size(); ++i) {
+      std::ranges::copy(unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, boost, snapshot.time), &x[3 * i]);
+      for (int axis = 0; axis < 2; ++axis) v[3 * i + axis] -= boost;
+    }
+    return profile_errors(resting, along_R(0.5), [](const Array3& x, double) { return vortex(x); });
   }
-  PlotHint plot_hint(const Settings&) const override { return {.abscissa = "R", .from = 0, .to = 0.5}; }
+  /// Around the centre of the vortex at the end.
+  PlotHint plot_hint(const Settings& settings) const override {
+    const double boost = settings.real("scene.boost");
+    const Array3 centre = unmoved({0, 0, 0}, -boost, settings.real("time.end"));
+    return {.abscissa = "R", .from = 0, .to = 0.5, .centre = centre};
+  }
 };
 
 }  // namespace

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "src/scenes/block.hpp"
 #include "src/scenes/keys.hpp"
@@ -9,15 +12,63 @@ namespace sphk {
 
 namespace {
 
+double shock_radius(double t, double gamma) {
+  return (gamma - 1) / 2 * t;
+}
+
 /// Noh (1987): cold gas of density 1 falls with speed 1 onto the centre; a shock runs outwards at (gamma-1)/2.
 GasState noh(const Array3& x, double t, int D, double gamma, double cold_pressure) {
   const double r = radius(x), jump = (gamma + 1) / (gamma - 1);
-  if (r < (gamma - 1) / 2 * t) {
+  if (r < shock_radius(t, gamma)) {
     const double rho = std::pow(jump, D);
     return {rho, {}, (gamma - 1) * rho / 2};  // all the kinetic energy, 1/2 per mass, became heat
   }
   const double rho = r > 0 ? std::pow(1 + t / r, D - 1) : 1, towards = r > 0 ? -1 / r : 0;
   return {rho, {towards * x[0], towards * x[1], towards * x[2]}, cold_pressure * std::pow(rho, gamma)};
+}
+
+/// rms over the particles from 0.3 to 0.9 of the shock's radius R of rho / (mean of a bin of r) - 1, with 12 bins; in
+/// 1D rms over the bins of the difference between the means of the two sides, over half their sum.
+double scatter(const Snapshot& snapshot, double R) {
+  constexpr int bins = 12;
+  struct Bin {
+    double particles = 0, sum = 0, squares = 0;
+    double mean() const { return sum / particles; }
+  };
+  std::array<std::array<Bin, bins>, 2> sides{};  // x < 0, x > 0 in 1D; else all gas in the first
+  const auto &x = snapshot.field("Coordinates").values, &rho = snapshot.field("Densities").values;
+  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+    const double place = (radius({x[3 * i], x[3 * i + 1], x[3 * i + 2]}) / R - 0.3) / 0.6 * bins;
+    if (!(place >= 0 && place < bins)) continue;
+    Bin& bin = sides[snapshot.dimension == 1 && x[3 * i] > 0][static_cast<std::size_t>(place)];
+    ++bin.particles;
+    bin.sum += rho[i];
+    bin.squares += rho[i] * rho[i];
+  }
+  double sum = 0, count = 0;
+  for (int b = 0; b < bins; ++b) {
+    const Bin &left = sides[0][b], &right = sides[1][b];
+    if (left.particles > 0 && snapshot.dimension > 1) {
+      sum += std::max(left.squares / (left.mean() * left.mean()) - left.particles, 0.0);
+      count += left.particles;
+    } else if (left.particles > 0 && right.particles > 0) {
+      sum += std::pow(2 * (left.mean() - right.mean()) / (left.mean() + right.mean()), 2);
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+/// Mean u within a tenth of the shock's radius R, or of the innermost particles where none lies there, over the exact
+/// 1/2, less 1.
+double wall_heating(const Snapshot& snapshot, double R) {
+  const auto &x = snapshot.field("Coordinates").values, &u = snapshot.field("InternalEnergies").values;
+  const auto distance = [&](std::size_t i) { return radius({x[3 * i], x[3 * i + 1], x[3 * i + 2]}); };
+  double innermost = std::numeric_limits<double>::infinity(), sum = 0, count = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) innermost = std::min(innermost, distance(i));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (distance(i) <= std::max(0.1 * R, innermost * (1 + 1e-6))) sum += u[i], ++count;
+  return sum / count / 0.5 - 1;
 }
 
 class Noh : public Scene {
@@ -29,14 +80,15 @@ class Noh : public Scene {
     declare_resolution(settings, 50, "particles per unit length; the gas fills the unit ball, 2n across");
     declare_dimension(settings, 3);
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.cold_pressure", .value = 1e-6, .doc = "pressure of the cold gas at the start",
-                      .choices = {}, .min = 1e-300});
+    settings.declare({.name = "scene.cold_pressure",
+                      .value = 1e-6,
+                      .doc = "pressure of the cold gas at the start",
+                      .choices = {},
+                      .min = 1e-300});
     prefer_usual_gas(settings, 0.6);
     adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_kernel(settings, scene_dimension(settings));
-  }
+  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   ParticleSet build(const Settings& settings) const override {
     const int D = scene_dimension(settings), n = scene_n(settings);
@@ -62,6 +114,13 @@ class Noh : public Scene {
   /// Inside 3/4 of the radius that the edge has fallen to: the outermost particles miss neighbours on one side.
   std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_r(0.75 * (1 - snapshot.time)), exact(settings));
+  }
+  /// How uneven the gas behind the shock is, and how much too hot at the centre; at the start -1, as nothing is hot
+  /// yet.
+  std::vector<std::pair<std::string, double>> measures(const Settings& settings,
+                                                       const Snapshot& snapshot) const override {
+    const double R = shock_radius(snapshot.time, settings.real("sph.gamma"));
+    return {{"scatter", R > 0 ? scatter(snapshot, R) : 0}, {"wall_heating", wall_heating(snapshot, R)}};
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.4}; }
 };

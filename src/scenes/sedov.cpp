@@ -17,11 +17,17 @@ class Sedov final : public Explosion {
 
   void declare(Settings& settings) const override {
     Explosion::declare(settings);
-    settings.declare({.name = "scene.blast_radius", .value = 0.08,
-                      .doc = "the energy is shared by the particles inside (S12 sec 7.4)", .choices = {}, .min = 0,
+    settings.declare({.name = "scene.blast_radius",
+                      .value = 0.08,
+                      .doc = "the energy is shared by the particles inside (S12 sec 7.4)",
+                      .choices = {},
+                      .min = 0,
                       .max = 0.5});
-    settings.declare({.name = "scene.ambient_entropy", .value = 0.05, .doc = "A = P / rho^gamma of the gas at rest",
-                      .choices = {}, .min = 1e-300});
+    settings.declare({.name = "scene.ambient_entropy",
+                      .value = 0.05,
+                      .doc = "A = P / rho^gamma of the gas at rest",
+                      .choices = {},
+                      .min = 1e-300});
   }
 
  protected:

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "src/engine/errors.hpp"
 #include "src/scenes/block.hpp"
 #include "src/scenes/keys.hpp"
+#include "src/scenes/nearest.hpp"
 #include "src/scenes/norms.hpp"
 #include "src/scenes/scenes.hpp"
 #include "src/scenes/temperatures.hpp"
@@ -12,9 +16,10 @@ namespace sphk {
 namespace {
 
 constexpr double pressure = 2.5;
+constexpr int thin_gas = 0, dense_gas = 1;  // tags
 
 /// Dense gas in the middle half of a periodic box, in pressure balance with the thin gas around it (Saitoh & Makino
-/// 2013, sec 5.3): it keeps its shape, at rest, in motion, and where the masses of the particles jump.
+/// 2013, sec 5.3): it keeps its shape, at rest, in motion, in shear, and where the masses of the particles jump.
 class Square final : public Scene {
  public:
   std::string name() const override { return "square"; }
@@ -32,6 +37,20 @@ class Square final : public Scene {
                       .min = 1,
                       .max = 1e9});
     declare_masses(settings, "multi");
+    settings.declare({.name = "scene.finer",
+                      .value = std::int64_t{1},
+                      .doc = "spacing of the thin gas over that of the dense, with scene.masses = multi",
+                      .choices = {},
+                      .min = 1,
+                      .max = 100});
+    settings.declare({.name = "scene.shape",
+                      .value = std::string("square"),
+                      .doc = "of the dense gas: square (in 3D a cube) | layer: 0.25 < y < 0.75",
+                      .choices = {"square", "layer"}});
+    settings.declare({.name = "scene.shear",
+                      .value = 0.0,
+                      .doc = "speed of a dense layer along x relative to the thin gas, half each way",
+                      .choices = {}});
     declare_temperatures(settings);
     settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
     prefer_unless_set(settings, "sph.scheme", "sphs");
@@ -45,58 +64,155 @@ class Square final : public Scene {
 
   /// Equal masses: the dense gas on a lattice that is finer by the nearest whole number of particles a side.
   ParticleSet build(const Settings& settings) const override {
-    const int D = scene_dimension(settings), n = scene_n(settings);
-    const double ratio = settings.real("scene.ratio"), boost = settings.real("scene.boost");
-    const bool equal = has_equal_masses(settings);
-    const int fine = static_cast<int>(std::lround(n / 2 * (equal ? std::pow(ratio, 1.0 / D) : 1)));
-    Block thin{.dimension = D, .counts = even_counts(D, n)}, dense{.dimension = D, .counts = even_counts(D, fine)};
-    for (int axis = 0; axis < D; ++axis) dense.lower[axis] = 0.25, dense.size[axis] = 0.5;
+    const Problem problem(settings);
+    const int D = problem.dimension, n = scene_n(settings);
+    Block thin{.dimension = D, .counts = even_counts(D, n)}, dense = thin;
+    for (int axis = 0; axis < D; ++axis) {
+      const bool bounded = problem.bounded(axis);
+      if (bounded) dense.lower[axis] = 0.25, dense.size[axis] = 0.5;
+      dense.counts[axis] = finer_side(settings) * (bounded ? 1 : 2);
+    }
     ParticleSet gas;
     gas.dimension = D;
     gas.box = {thin.lower, thin.size, {true, true, D > 2}};
-    const auto add = [&](const Array3& x, double rho, double volume) {
+    const auto add = [&](const Array3& x, int tag, double volume) {
+      const double rho = problem.density(tag);
       gas.x.push_back(x);
-      gas.v.push_back({boost, boost, 0});
+      gas.v.push_back(problem.velocity(tag));
       gas.m.push_back(rho * volume);
       gas.u.push_back(pressure / ((settings.real("sph.gamma") - 1) * rho));
+      gas.tag.push_back(tag);
     };
     for (const Array3& x : lattice_points(thin))
-      if (!inside(x, D)) add(x, 1, std::pow(1.0 / n, D));
-    for (const Array3& x : lattice_points(dense)) add(x, ratio, std::pow(0.5 / fine, D));
+      if (problem.tag_at(x, 0) == thin_gas) add(x, thin_gas, std::pow(1.0 / n, D));
+    for (const Array3& x : lattice_points(dense)) add(x, dense_gas, std::pow(0.5 / finer_side(settings), D));
     smooth_temperatures(gas, pressure, settings);
     return gas;
   }
 
   std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
-    const int D = scene_dimension(settings);
-    const double ratio = settings.real("scene.ratio"), boost = settings.real("scene.boost");
-    return [=](const Array3& x, double t) -> GasState {
-      Array3 start = x;
-      for (int axis = 0; axis < 2; ++axis) start[axis] = wrapped(x[axis] - boost * t, 1);
-      return {inside(start, D) ? ratio : 1, {boost, boost, 0}, pressure};
+    return [problem = Problem(settings)](const Array3& x, double t) -> GasState {
+      const int tag = problem.tag_at(x, t);
+      return {problem.density(tag), problem.velocity(tag), pressure};
     };
   }
-  /// Of the particles: largest distance from the pressure, over it, and largest speed beside the boost over the speed
-  /// of sound of the dense gas.
+
+  /// pressure_error: largest distance of a particle's pressure from the exact one, over it. mach: largest speed beside
+  /// the velocity that the particle started with, over the speed of sound of the dense gas. gap: below. drift: of the
+  /// dense gas' centre of mass from where the boost carries it, over the box; of a layer across it.
   std::vector<std::pair<std::string, double>> measures(const Settings& settings,
                                                        const Snapshot& snapshot) const override {
-    const double boost = settings.real("scene.boost"),
-                 c = std::sqrt(settings.real("sph.gamma") * pressure / settings.real("scene.ratio"));
+    const Problem problem(settings);
     const auto &P = snapshot.field("Pressures").values, &v = snapshot.field("Velocities").values;
-    double blip = 0, speed = 0;
+    const auto &tag = snapshot.field("PhaseTags").values, &x = snapshot.field("Coordinates").values;
+    const auto& m = snapshot.field("Masses").values;
+    double blip = 0, speed = 0, mass = 0;
+    Array3 moment{};
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
+      const Array3 start = problem.velocity(static_cast<int>(tag[i]));
       blip = std::max(blip, std::abs(P[i] / pressure - 1));
-      speed = std::max(speed, std::hypot(v[3 * i] - boost, v[3 * i + 1] - boost, v[3 * i + 2]));
+      speed = std::max(speed, std::hypot(v[3 * i] - start[0], v[3 * i + 1] - start[1], v[3 * i + 2] - start[2]));
+      if (tag[i] != dense_gas) continue;
+      mass += m[i];
+      const Array3 place = problem.unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, snapshot.time);
+      for (int axis = 0; axis < problem.dimension; ++axis)
+        if (problem.bounded(axis)) moment[axis] += m[i] * (place[axis] - 0.5);
     }
-    return {{"pressure_error", blip}, {"mach", speed / c}};
+    const double c = std::sqrt(settings.real("sph.gamma") * pressure / problem.density(dense_gas));
+    return {{"pressure_error", blip},
+            {"mach", speed / c},
+            {"gap", gap(problem, snapshot)},
+            {"drift", radius(moment) / mass}};
   }
-  PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = 0, .to = 1, .map = true}; }
+  /// Through the middle of the dense gas at the end.
+  PlotHint plot_hint(const Settings& settings) const override {
+    const Problem problem(settings);
+    return {.abscissa = problem.layer ? "y" : "x",
+            .from = 0,
+            .to = 1,
+            .centre = problem.unmoved({0.5, 0.5, 0.5}, -settings.real("time.end")),
+            .map = true};
+  }
 
  private:
-  static bool inside(const Array3& x, int D) {
-    for (int axis = 0; axis < D; ++axis)
-      if (!(x[axis] > 0.25 && x[axis] < 0.75)) return false;
-    return true;
+  struct Problem {
+    int dimension;
+    bool layer;
+    double ratio, boost, shear;
+
+    /// Throws InputError where the keys contradict each other.
+    explicit Problem(const Settings& settings)
+        : dimension(scene_dimension(settings)),
+          layer(settings.text("scene.shape") == "layer"),
+          ratio(settings.real("scene.ratio")),
+          boost(settings.real("scene.boost")),
+          shear(settings.real("scene.shear")) {
+      if (shear != 0 && !layer)
+        throw InputError("scene.shear needs a layer to slide along the thin gas; set scene.shape = \"layer\" as well");
+      if (scene_n(settings) % 4 != 0)
+        throw InputError(
+            fmt::format("scene.n = {}: the edges of the dense gas need a multiple of 4", scene_n(settings)));
+      if (has_equal_masses(settings) && settings.integer("scene.finer") != 1)
+        throw InputError("scene.finer sets how the masses jump; leave it, or scene.masses = \"equal\", away");
+    }
+    /// The dense gas ends along this axis, at 0.25 and 0.75.
+    bool bounded(int axis) const { return axis < dimension && (axis == 1 || !layer); }
+    /// A place at time t in the frame that the boost moves, in the unit box.
+    Array3 unmoved(Array3 x, double t) const {
+      for (int axis = 0; axis < dimension; ++axis) x[axis] = wrapped(x[axis] - (axis < 2 ? boost * t : 0), 1);
+      return x;
+    }
+    int tag_at(const Array3& x, double t) const {
+      const Array3 start = unmoved(x, t);
+      for (int axis = 0; axis < dimension; ++axis)
+        if (bounded(axis) && !(start[axis] > 0.25 && start[axis] < 0.75)) return thin_gas;
+      return dense_gas;
+    }
+    /// Whether a place beside this axis' faces lies over them.
+    bool at_face(const Array3& x, int axis) const {
+      for (int other = 0; other < dimension; ++other)
+        if (other != axis && bounded(other) && !(x[other] > 0.25 && x[other] < 0.75)) return false;
+      return true;
+    }
+    double density(int tag) const { return tag == dense_gas ? ratio : 1; }
+    Array3 velocity(int tag) const { return {boost + (tag == dense_gas ? shear : -shear) / 2, boost, 0}; }
+  };
+
+  /// Particles of the dense gas along half the unit box.
+  static int finer_side(const Settings& settings) {
+    const double finer = has_equal_masses(settings)
+                             ? std::pow(settings.real("scene.ratio"), 1.0 / scene_dimension(settings))
+                             : static_cast<double>(settings.integer("scene.finer"));
+    return static_cast<int>(std::lround(scene_n(settings) / 2 * finer));
+  }
+
+  /// Diameter of the largest empty sphere with its centre at an edge of the dense gas, over the largest h (support
+  /// radius) in the thin gas: from 1 on, particles no longer see each other across the gap. The centres are tried on
+  /// grids of h/8 in the faces and up to h/4 beside them, so that a sphere that lies there is found within
+  /// sqrt(D) h/8 of its diameter.
+  static double gap(const Problem& problem, const Snapshot& snapshot) {
+    const auto &tag = snapshot.field("PhaseTags").values, &h = snapshot.field("SmoothingLength").values;
+    double h_max = 0;
+    for (std::size_t i = 0; i < snapshot.size(); ++i)
+      if (tag[i] == thin_gas) h_max = std::max(h_max, h[i]);
+    const NearestParticle nearest(snapshot);
+    const int n = static_cast<int>(std::ceil(8 / h_max));
+    const double boost = problem.boost * snapshot.time;
+    double widest = 0;
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      if (!problem.bounded(axis)) continue;
+      for (const double face : {0.25, 0.75})
+        for (int beside = -2; beside <= 2; ++beside) {
+          Block grid{.dimension = problem.dimension, .counts = even_counts(problem.dimension, n)};
+          grid.counts[axis] = 1;
+          for (Array3 x : lattice_points(grid)) {
+            x[axis] = face + beside * h_max / 8;
+            if (!problem.at_face(x, axis)) continue;
+            widest = std::max(widest, 2 * nearest.distance({x[0] + boost, x[1] + boost, x[2]}));
+          }
+        }
+    }
+    return widest / h_max;
   }
 };
 

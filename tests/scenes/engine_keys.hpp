@@ -39,7 +39,7 @@ Snapshot snapshot_of(const ParticleSet& gas, double time, F&& state) {
     P.values.push_back(here.P);
     m.values.push_back(here.rho / static_cast<double>(gas.size()));  // of even cells of a unit box
   }
-  snapshot.fields = {x, v, rho, P, m};
+  snapshot.fields = {x, v, rho, P, m, phase_tags(gas)};
   return snapshot;
 }
 

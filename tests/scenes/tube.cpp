@@ -70,37 +70,5 @@ TEST(Tube, OfThreeDimensionsHasTheSameDensity) {
   EXPECT_NEAR(gas.box.size[1], 0.25, 1e-15);
 }
 
-TEST(Square, HasItsRatioWithEqualMassesOrEvenSpacing) {
-  for (const char* masses : {"equal", "multi"})
-    for (const int D : {2, 3}) {
-      const Settings settings = settings_of(square_scene(), {{"scene.n", "16"},
-                                                             {"scene.ratio", "64"},
-                                                             {"scene.dimension", std::to_string(D)},
-                                                             {"scene.masses", masses},
-                                                             {"scene.boost", "3"}});
-      const auto gas = square_scene().build(settings);
-      const double inner = std::pow(0.5, D);
-      EXPECT_NEAR(total_mass(gas), 1 - inner + 64 * inner, 1e-12);
-      const auto [least, most] = std::ranges::minmax(gas.m);
-      EXPECT_NEAR(most / least, std::string(masses) == "equal" ? 1 : 64, 1e-9);
-      for (std::size_t i = 0; i < gas.size(); ++i) EXPECT_EQ(gas.v[i][1], 3);
-      const auto exact = square_scene().exact(settings);
-      EXPECT_EQ(exact({0.5, 0.5, D == 3 ? 0.5 : 0}, 0).rho, 64);
-      EXPECT_EQ(exact({0.5, 0.5, D == 3 ? 0.5 : 0}, 1.0 / 6).rho, 1);  // moved by half the box
-      EXPECT_EQ(exact({0.1, 0.1, D == 3 ? 0.5 : 0}, 1.0 / 6).rho, 64);
-    }
-}
-
-TEST(Square, MeasuresBlipsAndSpeeds) {
-  const Settings settings = settings_of(square_scene(), {{"scene.n", "8"}, {"scene.boost", "2"}});
-  const auto gas = square_scene().build(settings);
-  const auto measures = square_scene().measures(
-      settings, snapshot_of(gas, 0, [](const Array3& x) {
-        return GasState{1, {2 + (x[0] > 0.9 ? 0.3 : 0.0), 2, x[0] > 0.9 ? 0.4 : 0.0}, x[1] > 0.9 ? 2.0 : 2.5};
-      }));
-  EXPECT_NEAR(measures[0].second, 0.2, 1e-14);
-  EXPECT_NEAR(measures[1].second, 0.5 / std::sqrt(5.0 / 3 * 2.5 / 4), 1e-14);
-}
-
 }  // namespace
 }  // namespace sphk
