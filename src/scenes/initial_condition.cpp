@@ -40,13 +40,24 @@ void declare_initial_condition_keys(Settings& settings) {
                     .choices = {},
                     .min = 0,
                     .max = 1e300});
+  settings.declare({.name = "ic.rounds",
+                    .value = std::int64_t{1},
+                    .doc = "parts of ic.relax; with more than one, every u follows from ic.pressure again after each",
+                    .choices = {},
+                    .min = 1,
+                    .max = 10000});
 }
 
 ParticleSet initial_condition(const Scene& scene, const Settings& settings) {
   ParticleSet gas = scene.build(settings);
-  if (const double P = settings.real("ic.pressure"); P > 0) set_pressure(gas, P, settings);
-  if (const double time = settings.real("ic.relax"); time > 0) {
-    relax(gas, time, settings);
+  const double P = settings.real("ic.pressure"), time = settings.real("ic.relax");
+  const auto rounds = settings.integer("ic.rounds");
+  if (P > 0) set_pressure(gas, P, settings);
+  if (time > 0) {
+    for (std::int64_t round = 0; round < rounds; ++round) {
+      relax(gas, time / static_cast<double>(rounds), settings);
+      if (P > 0 && rounds > 1) set_pressure(gas, P, settings);
+    }
     scene.set_velocities(gas, settings);
   }
   return gas;

@@ -4,13 +4,15 @@
 
 namespace sphk {
 
-/// Keys of the section [ic]: ic.pressure and ic.relax.
+/// Keys of the section [ic]: ic.pressure, ic.relax and ic.rounds.
 void declare_initial_condition_keys(Settings& settings);
 
 /// The scene's particles as a run takes them. With ic.pressure > 0 every u follows from that pressure and the density
 /// that the run's smoothing kernel measures (V10 sec 4.2). With ic.relax > 0 the gas then settles for that time, from
 /// rest, under V10's scheme with u changed by viscosity and conductivity alone, not by work, so that it keeps close to
-/// its profile (V10 sec 4.5.1); after it the scene sets its velocities anew. Throws InputError.
+/// its profile (V10 sec 4.5.1); after it the scene sets its velocities anew. With ic.rounds > 1 it settles in that many
+/// parts, each from rest, and u follows from ic.pressure again after each: what is left is an arrangement that is at
+/// rest with even pressure, also where particles of unlike masses meet. Throws InputError.
 ParticleSet initial_condition(const Scene& scene, const Settings& settings);
 
 }  // namespace sphk

@@ -10,7 +10,7 @@ namespace sphk {
 /// The engine keys that scenes prefer values of, then the scene's own, as a run declares them.
 inline Settings settings_of(const Scene& scene) {
   Settings settings;
-  for (const char* name : {"sph.gamma", "sph.neighbours", "time.end"})
+  for (const char* name : {"sph.gamma", "sph.neighbours", "time.end", "gravity.central_mass", "gravity.softening"})
     settings.declare({.name = name, .value = 0.0, .doc = "", .choices = {}});
   scene.declare(settings);
   return settings;
