@@ -9,11 +9,12 @@
 namespace sphk {
 
 const std::vector<const Scene*>& scenes() {
-  static const std::vector<const Scene*> table{&sod_scene(),     &sod_multimass_scene(), &tube_scene(),
-                                               &gresho_scene(),  &sedov_scene(),         &point_explosion_scene(),
-                                               &noh_scene(),     &kh12_scene(),          &kh18_scene(),
-                                               &mcnally_scene(), &shearing_scene(),      &blob_scene(),
-                                               &ring_scene(),    &square_scene(),        &uniform_scene()};
+  static const std::vector<const Scene*> table{&sod_scene(),    &sod_multimass_scene(), &tube_scene(),
+                                               &gresho_scene(), &sedov_scene(),         &point_explosion_scene(),
+                                               &noh_scene(),    &expansion_scene(),     &kh12_scene(),
+                                               &kh18_scene(),   &mcnally_scene(),       &shearing_scene(),
+                                               &blob_scene(),   &ring_scene(),          &square_scene(),
+                                               &uniform_scene()};
   return table;
 }
 

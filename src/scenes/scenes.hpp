@@ -11,6 +11,7 @@ const Scene& gresho_scene();
 const Scene& sedov_scene();
 const Scene& point_explosion_scene();
 const Scene& noh_scene();
+const Scene& expansion_scene();
 const Scene& kh12_scene();
 const Scene& kh18_scene();
 const Scene& mcnally_scene();
