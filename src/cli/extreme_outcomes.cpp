@@ -125,6 +125,12 @@ double quantity_of(const std::string& name, const fs::path& folder, const Json& 
   return read_history(folder / "history.csv").back().at(name);
 }
 
+std::string to_text(const Requirement& requirement) {
+  if (std::isfinite(requirement.below)) return fmt::format("{} < {:g}", requirement.quantity, requirement.below);
+  if (std::isfinite(requirement.above)) return fmt::format("{} > {:g}", requirement.quantity, requirement.above);
+  return requirement.quantity + " recorded";
+}
+
 }  // namespace
 
 std::vector<Outcome> outcomes_of(const ExtremeCase& one, const fs::path& folder) {
@@ -132,10 +138,8 @@ std::vector<Outcome> outcomes_of(const ExtremeCase& one, const fs::path& folder)
   const Json run = read_json(folder / "run.json");
   for (const Requirement& requirement : one.requirements) {
     const double value = quantity_of(requirement.quantity, folder, run);
-    const bool bounded = std::isfinite(requirement.bound);
-    outcomes.push_back({bounded ? fmt::format("{} < {:g}", requirement.quantity, requirement.bound)
-                                : requirement.quantity + " recorded",
-                        fmt::format("{:.2g}", value), bounded ? value < requirement.bound : std::isfinite(value)});
+    outcomes.push_back(
+        {to_text(requirement), fmt::format("{:.2g}", value), value < requirement.below && value > requirement.above});
   }
   return outcomes;
 }

@@ -23,8 +23,8 @@ double relative(double difference, double scale) {
 }  // namespace
 
 Conservation drift(const Totals& start, const Totals& now, const Box& box) {
-  const double p_scale = std::sqrt(2 * start.mass * (start.kinetic + start.thermal));
   const double heat = now.heated - start.heated;
+  const double p_scale = std::sqrt(2 * start.mass * (start.kinetic + start.thermal + heat));
   const double side = *std::ranges::max_element(box.size);
   return {
       .energy = relative(std::abs(now.energy() - heat - start.energy()), std::abs(start.energy() + heat)),

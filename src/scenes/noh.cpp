@@ -138,9 +138,8 @@ class Noh : public Scene {
   std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_r(0.75 * (1 - snapshot.time)), exact(settings));
   }
-  /// Of a line also its errors as those of published runs are taken.
   /// How uneven the gas behind the shock is, and how much too hot at the centre; at the start -1, as nothing is hot
-  /// yet.
+  /// yet. In 1D also the errors as those of published runs are taken.
   std::vector<std::pair<std::string, double>> measures(const Settings& settings,
                                                        const Snapshot& snapshot) const override {
     const double R = shock_radius(snapshot.time, settings.real("sph.gamma"));

@@ -1,20 +1,23 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace sphk {
 
-/// A number that a run has to keep below a bound: "energy" and "momentum" (relative drifts), "l1_v" and the like (error
-/// norms), "front" (distance of the foremost shock from its place, in support radii ahead), or a measure of the scene.
+/// A number of a run and what it has to be: "energy", "momentum" and "angular_momentum" (relative drifts), "l1_v" and
+/// the like (error norms), "front" (distance of the foremost shock from its place, in support radii ahead), "pairs" (of
+/// an update, over the neighbour number), or a measure of the scene.
 struct Requirement {
   std::string quantity;
-  double bound = 0;
+  double below = std::numeric_limits<double>::infinity();
+  double above = -std::numeric_limits<double>::infinity();  ///< with neither it is recorded
 };
 
-/// A stiff or extreme run. Beside its own requirements it has to finish, and all its numbers have to be finite, with
-/// positive densities, energies and entropies.
+/// A stiff or extreme run. Beside its own requirements it has to finish, all its numbers have to be finite, with
+/// positive densities, energies and entropies, and one thread and two have to agree.
 struct ExtremeCase {
   std::string name;
   std::string setup;  ///< a few words
