@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/scenes/glass.hpp"
+#include "src/scenes/random.hpp"
 
 namespace sphk {
 
@@ -26,9 +27,13 @@ Array3 in_block(const Block& block, const Array3& spacings) {
 
 }  // namespace
 
-std::size_t Block::particles() const { return std::size_t(counts[0]) * counts[1] * counts[2]; }
+std::size_t Block::particles() const {
+  return std::size_t(counts[0]) * counts[1] * counts[2];
+}
 
-Counts even_counts(int dimension, int n) { return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1}; }
+Counts even_counts(int dimension, int n) {
+  return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1};
+}
 
 double wrapped(double x, double size) {
   const double inside = x - size * std::floor(x / size);
@@ -57,7 +62,16 @@ std::vector<Array3> glass_points(const Block& block) {
   return x;
 }
 
-std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement) {
+std::vector<Array3> random_points(const Block& block, std::uint64_t seed) {
+  Uniform uniform(seed);
+  std::vector<Array3> x(block.particles());
+  for (Array3& point : x)
+    for (int axis = 0; axis < block.dimension; ++axis) point[axis] = block.lower[axis] + block.size[axis] * uniform();
+  return x;
+}
+
+std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement, std::uint64_t seed) {
+  if (arrangement == "random") return random_points(block, seed);
   return arrangement == "glass" && block.dimension > 1 ? glass_points(block) : lattice_points(block);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ std::vector<Array3> lattice_points(const Block& block);
 /// Throws InputError where the counts have no common tile.
 std::vector<Array3> glass_points(const Block& block);
 
-/// `arrangement`: cubic | glass, as in the key scene.lattice. In 1D both are the lattice, which is what relaxes there.
-std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement);
+/// As many points anywhere in the block, with equal chance and each for itself.
+std::vector<Array3> random_points(const Block& block, std::uint64_t seed);
+
+/// `arrangement`: cubic | glass | random, as in the key scene.lattice. In 1D a glass is the lattice, which is what
+/// relaxes there.
+std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement, std::uint64_t seed = 1);
 
 }  // namespace sphk

@@ -16,8 +16,8 @@ bool is_slab(const Settings& settings) {
 }
 
 /// Even gas at rest in |x| < 0.5, with rho = c = 1. From both faces a rarefaction runs inwards at the speed of sound
-/// and the first gas outwards at 2/(gamma-1) (Toro 2009, sec 4.6); on the ray of a = (|x| - 0.5)/t v = 2/(gamma+1) (1 +
-/// a), c = 1 - (gamma-1)/2 v. Exact until the rarefactions meet in the middle, at t = 0.5.
+/// and the first gas outwards at 2/(gamma-1) (Toro 2009, sec 4.6); between them, with a = (|x| - 0.5)/t,
+/// v = 2/(gamma+1) (1 + a) and c = 1 - (gamma-1)/2 v. Exact until the rarefactions meet in the middle, at t = 0.5.
 GasState slab(const Array3& x, double t, double gamma) {
   const double beyond = std::abs(x[0]) - 0.5;
   if (beyond < -t) return {1, {}, 1 / gamma};
@@ -30,7 +30,7 @@ GasState slab(const Array3& x, double t, double gamma) {
 class Expansion final : public Scene {
  public:
   std::string name() const override { return "expansion"; }
-  std::string summary() const override { return "gas that expands into vacuum: a ball without heat flow, or a slab"; }
+  std::string summary() const override { return "gas that expands into vacuum: an isentropic ball, or a slab"; }
 
   void declare(Settings& settings) const override {
     settings.declare({.name = "scene.variant",
@@ -50,8 +50,8 @@ class Expansion final : public Scene {
     adapt(settings);
   }
 
-  /// The ball ends at about five times its radius. Support radii grow as the gas thins, but for stray particles at the
-  /// edge: ten times that of even gas at the start is about twice that of the centre at the end.
+  /// The ball ends at about five times its radius. Support radii grow as the gas thins, without end where
+  /// particles stray at the edge: ten times that of even gas at the start is about twice that of the centre at the end.
   void adapt(Settings& settings) const override {
     const int D = scene_dimension(settings);
     prefer_unless_set(settings, "time.end", is_slab(settings) ? 0.4 : 2 + 0.28 * D);

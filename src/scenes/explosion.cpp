@@ -19,7 +19,7 @@ namespace {
 
 constexpr double density = 1;
 
-/// Mean distance from the origin, weighted with the kinetic energy, of the particles at places that `counts`: it moves
+/// Mean distance from the origin, weighted with the kinetic energy, of the particles whose place `counts`: it moves
 /// with a shock and does not feel how wide that is smeared.
 template <class F>
 double kinetic_radius(const Snapshot& snapshot, F&& counts) {
@@ -50,7 +50,7 @@ double roundness(const Snapshot& snapshot) {
   return sum > 0 ? (most - least) / (sum / (2 * snapshot.dimension)) : 0;
 }
 
-/// The same of the exact solution, in units of the shock's radius.
+/// The mean radius of the exact solution, in units of the shock's radius.
 double kinetic_radius(const SedovSolution& solution, int dimension) {
   const double R = solution.shock_radius(1, density, 1);
   constexpr int points = 4000;
@@ -75,8 +75,7 @@ std::vector<Block> blocks_of(const Settings& settings) {
   if (coarser == 1) return {fine};
   if (n % coarser != 0 || n < 3 * coarser)
     throw InputError(
-        fmt::format("scene.n = {} is not a multiple of scene.coarser = {} from {} on, so that the lattices "
-                    "do not both fit the box",
+        fmt::format("scene.n = {} with scene.coarser = {}: both lattices fit the box for multiples of it, from {} on",
                     n, coarser, 3 * coarser));
   Block coarse = fine;
   coarse.counts = even_counts(D, n / coarser);

@@ -11,27 +11,36 @@ void prefer_unless_set(Settings& settings, std::string_view name, const Value& v
 }
 
 void declare_resolution(Settings& settings, int n, std::string doc) {
-  settings.declare({.name = "scene.n", .value = std::int64_t{n}, .doc = std::move(doc), .choices = {}, .min = 2,
-                    .max = 100000});
+  settings.declare(
+      {.name = "scene.n", .value = std::int64_t{n}, .doc = std::move(doc), .choices = {}, .min = 2, .max = 100000});
 }
 
 void declare_arrangement(Settings& settings, const std::string& standard) {
-  settings.declare({.name = "scene.lattice", .value = standard, .doc = "how the particles are laid out",
-                    .choices = {"cubic", "glass"}});
+  settings.declare({.name = "scene.lattice",
+                    .value = standard,
+                    .doc = "how the particles are laid out; random: each for itself",
+                    .choices = {"cubic", "glass", "random"}});
 }
 
 void declare_dimension(Settings& settings, int standard, int min) {
-  settings.declare({.name = "scene.dimension", .value = std::int64_t{standard}, .doc = "number of dimensions",
-                    .choices = {}, .min = double(min), .max = 3});
+  settings.declare({.name = "scene.dimension",
+                    .value = std::int64_t{standard},
+                    .doc = "number of dimensions",
+                    .choices = {},
+                    .min = double(min),
+                    .max = 3});
 }
 
 void declare_masses(Settings& settings, const std::string& standard) {
-  settings.declare({.name = "scene.masses", .value = standard,
+  settings.declare({.name = "scene.masses",
+                    .value = standard,
                     .doc = "equal: more particles in the dense gas; multi: even spacing, heavier particles there",
                     .choices = {"equal", "multi"}});
 }
 
-bool has_equal_masses(const Settings& settings) { return settings.text("scene.masses") == "equal"; }
+bool has_equal_masses(const Settings& settings) {
+  return settings.text("scene.masses") == "equal";
+}
 
 void prefer_usual_gas(Settings& settings, double end) {
   prefer_unless_set(settings, "time.end", end);
@@ -51,10 +60,16 @@ void prefer_conserved_energy(Settings& settings) {
   prefer_unless_set(settings, "sph.energy", sphs ? "energy" : "entropy");
 }
 
-double usual_neighbours(int dimension) { return dimension == 1 ? 5 : dimension == 2 ? 20 : 48; }
+double usual_neighbours(int dimension) {
+  return dimension == 1 ? 5 : dimension == 2 ? 20 : 48;
+}
 
-int scene_n(const Settings& settings) { return static_cast<int>(settings.integer("scene.n")); }
+int scene_n(const Settings& settings) {
+  return static_cast<int>(settings.integer("scene.n"));
+}
 
-int scene_dimension(const Settings& settings) { return static_cast<int>(settings.integer("scene.dimension")); }
+int scene_dimension(const Settings& settings) {
+  return static_cast<int>(settings.integer("scene.dimension"));
+}
 
 }  // namespace sphk

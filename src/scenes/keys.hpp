@@ -12,7 +12,7 @@ void prefer_unless_set(Settings& settings, std::string_view name, const Value& v
 
 /// scene.n: particles per unit length of the (denser) gas.
 void declare_resolution(Settings& settings, int n, std::string doc = "particles per unit length");
-/// scene.lattice: cubic | glass.
+/// scene.lattice: cubic | glass | random.
 void declare_arrangement(Settings& settings, const std::string& standard);
 /// scene.dimension: `min` to 3.
 void declare_dimension(Settings& settings, int standard, int min = 1);

@@ -157,7 +157,7 @@ class Square final : public Scene {
     }
     /// The dense gas ends along this axis, at 0.25 and 0.75.
     bool bounded(int axis) const { return axis < dimension && (axis == 1 || !layer); }
-    /// A place at time t in the frame that the boost moves, in the unit box.
+    /// Where the boost took the place x at time t from, in the unit box.
     Array3 unmoved(Array3 x, double t) const {
       for (int axis = 0; axis < dimension; ++axis) x[axis] = wrapped(x[axis] - (axis < 2 ? boost * t : 0), 1);
       return x;
@@ -168,8 +168,8 @@ class Square final : public Scene {
         if (bounded(axis) && !(start[axis] > 0.25 && start[axis] < 0.75)) return thin_gas;
       return dense_gas;
     }
-    /// Whether a place beside this axis' faces lies over them.
-    bool at_face(const Array3& x, int axis) const {
+    /// A line along this axis through x meets the dense gas' faces.
+    bool over_face(const Array3& x, int axis) const {
       for (int other = 0; other < dimension; ++other)
         if (other != axis && bounded(other) && !(x[other] > 0.25 && x[other] < 0.75)) return false;
       return true;
@@ -187,32 +187,41 @@ class Square final : public Scene {
   }
 
   /// Diameter of the largest empty sphere with its centre at an edge of the dense gas, over the largest h (support
-  /// radius) in the thin gas: from 1 on, particles no longer see each other across the gap. The centres are tried on
-  /// grids of h/8 in the faces and up to h/4 beside them, so that a sphere that lies there is found within
-  /// sqrt(D) h/8 of its diameter.
+  /// radius) in the thin gas: from 1 on, particles no longer see each other across the gap. Its centre is sought on
+  /// grids of h/8 in the faces and up to h/4 beside them, and from the best place there in ever shorter steps.
   static double gap(const Problem& problem, const Snapshot& snapshot) {
     const auto &tag = snapshot.field("PhaseTags").values, &h = snapshot.field("SmoothingLength").values;
     double h_max = 0;
     for (std::size_t i = 0; i < snapshot.size(); ++i)
       if (tag[i] == thin_gas) h_max = std::max(h_max, h[i]);
     const NearestParticle nearest(snapshot);
-    const int n = static_cast<int>(std::ceil(8 / h_max));
-    const double boost = problem.boost * snapshot.time;
     double widest = 0;
+    Array3 centre{};
+    const auto try_place = [&](const Array3& x) {
+      if (const double empty = nearest.distance(x); empty > widest) widest = empty, centre = x;
+    };
     for (int axis = 0; axis < problem.dimension; ++axis) {
       if (!problem.bounded(axis)) continue;
-      for (const double face : {0.25, 0.75})
-        for (int beside = -2; beside <= 2; ++beside) {
-          Block grid{.dimension = problem.dimension, .counts = even_counts(problem.dimension, n)};
-          grid.counts[axis] = 1;
-          for (Array3 x : lattice_points(grid)) {
+      Block grid{.dimension = problem.dimension,
+                 .counts = even_counts(problem.dimension, static_cast<int>(std::ceil(8 / h_max)))};
+      grid.counts[axis] = 1;
+      for (Array3 x : lattice_points(grid)) {
+        if (!problem.over_face(x, axis)) continue;
+        for (const double face : {0.25, 0.75})
+          for (int beside = -2; beside <= 2; ++beside) {
             x[axis] = face + beside * h_max / 8;
-            if (!problem.at_face(x, axis)) continue;
-            widest = std::max(widest, 2 * nearest.distance({x[0] + boost, x[1] + boost, x[2]}));
+            try_place(problem.unmoved(x, -snapshot.time));
           }
-        }
+      }
     }
-    return widest / h_max;
+    for (double step = h_max / 16; step > h_max / 1000; step /= 2)
+      for (int axis = 0; axis < problem.dimension; ++axis)
+        for (const int side : {-1, 1}) {
+          Array3 x = centre;
+          x[axis] += side * step;
+          try_place(x);
+        }
+    return 2 * widest / h_max;
   }
 };
 

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "src/scenes/block.hpp"
 #include "src/scenes/keys.hpp"
+#include "src/scenes/nearest.hpp"
 #include "src/scenes/norms.hpp"
 #include "src/scenes/random.hpp"
 #include "src/scenes/scenes.hpp"
@@ -29,21 +32,28 @@ class UniformGas : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 32, "particles along the unit box");
     declare_dimension(settings, 3);
-    settings.declare({.name = "scene.layers", .value = std::int64_t{0},
-                      .doc = "particles along the last axis, for thin slabs; 0: n", .choices = {}, .min = 0,
+    settings.declare({.name = "scene.layers",
+                      .value = std::int64_t{0},
+                      .doc = "particles along the last axis, for thin slabs; 0: n",
+                      .choices = {},
+                      .min = 0,
                       .max = 100000});
     declare_arrangement(settings, "glass");
-    settings.declare({.name = "scene.jitter", .value = 0.0,
-                      .doc = "random shift of every particle, up to this many spacings along each axis", .choices = {},
-                      .min = 0, .max = 10});
-    settings.declare({.name = "scene.seed", .value = std::int64_t{1}, .doc = "of the random shifts", .choices = {},
+    settings.declare({.name = "scene.jitter",
+                      .value = 0.0,
+                      .doc = "random shift of every particle, up to this many spacings along each axis",
+                      .choices = {},
+                      .min = 0,
+                      .max = 10});
+    settings.declare({.name = "scene.seed",
+                      .value = std::int64_t{1},
+                      .doc = "of the random places and shifts",
+                      .choices = {},
                       .min = 0});
     prefer_usual_gas(settings, 0.1);
     adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_kernel(settings, scene_dimension(settings));
-  }
+  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   /// rho = 1, P = 1.
   ParticleSet build(const Settings& settings) const override {
@@ -51,7 +61,7 @@ class UniformGas : public Scene {
     ParticleSet gas;
     gas.dimension = block.dimension;
     gas.box = {block.lower, block.size, {true, block.dimension > 1, block.dimension > 2}};
-    gas.x = arranged_points(block, settings.text("scene.lattice"));
+    gas.x = arranged_points(block, settings.text("scene.lattice"), settings.integer("scene.seed"));
     gas.v.assign(gas.size(), {});
     gas.m.assign(gas.size(), block.size[0] * block.size[1] * block.size[2] / double(gas.size()));
     gas.u.assign(gas.size(), 1 / (settings.real("sph.gamma") - 1));
@@ -64,6 +74,24 @@ class UniformGas : public Scene {
   }
   std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_x(0, 1), exact(settings));
+  }
+  /// density_scatter: standard deviation of the particles' densities over their mean. nearest: distance to the nearest
+  /// neighbour that 5 % of the particles fall short of, over the mean spacing.
+  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
+    const std::vector<double>&rho = snapshot.field("Densities").values, &x = snapshot.field("Coordinates").values;
+    const auto count = static_cast<double>(snapshot.size());
+    const double mean = std::accumulate(rho.begin(), rho.end(), 0.0) / count;
+    double variance = 0;
+    for (const double one : rho) variance += (one - mean) * (one - mean) / count;
+    const NearestParticle nearest(snapshot);
+    std::vector<double> distances(snapshot.size());
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      distances[i] = nearest.distance({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, i);
+    const auto fifth = distances.begin() + static_cast<std::ptrdiff_t>(snapshot.size() / 20);
+    std::ranges::nth_element(distances, fifth);
+    const Array3& size = snapshot.box.size;
+    const double spacing = std::pow(size[0] * size[1] * size[2] / count, 1.0 / snapshot.dimension);
+    return {{"density_scatter", std::sqrt(variance) / mean}, {"nearest", *fifth / spacing}};
   }
 
  private:
