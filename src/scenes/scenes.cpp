@@ -13,7 +13,7 @@ const std::vector<const Scene*>& scenes() {
                                                &gresho_scene(),  &sedov_scene(),         &point_explosion_scene(),
                                                &noh_scene(),     &kh12_scene(),          &kh18_scene(),
                                                &mcnally_scene(), &shearing_scene(),      &blob_scene(),
-                                               &square_scene(),  &uniform_scene()};
+                                               &square_scene(),  &odd_scene(),           &uniform_scene()};
   return table;
 }
 

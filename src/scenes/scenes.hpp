@@ -17,6 +17,7 @@ const Scene& mcnally_scene();
 const Scene& shearing_scene();
 const Scene& blob_scene();
 const Scene& square_scene();
+const Scene& odd_scene();
 const Scene& uniform_scene();
 
 }  // namespace sphk
