@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
 #include "src/io/checkpoint.hpp"
+#include "src/io/hdf5_file.hpp"
 #include "src/report/machine.hpp"
 
 namespace sphk {
@@ -57,6 +59,25 @@ SavedRun from_text(const std::string& text) {
   return run;
 }
 
+/// Throws InputError where the scene differs, or a key that decides what is computed.
+void require_same_run(const fs::path& path, const Scene& scene, const Settings& settings) {
+  const hdf5::File file = hdf5::File::open(path);
+  const auto require_same = [](const std::string& what, const std::string& there, const std::string& here) {
+    if (here != there)
+      throw InputError(fmt::format("it is of another run, of which {} is \"{}\", not \"{}\" as in scene.used.toml",
+                                   what, there, here));
+  };
+  require_same("the scene", file.group("sphk").text("Scene"), scene.name());
+  const hdf5::Group saved = file.group("Parameters");
+  for (const Key& key : settings.keys()) {
+    if (!key.name.starts_with("scene.") && !key.name.starts_with("sph.")) continue;
+    std::string name = key.name;
+    std::ranges::replace(name, '.', ':');
+    const auto* text = std::get_if<std::string>(&key.value);
+    require_same(key.name, saved.has_attribute(name) ? saved.text(name) : "", text ? *text : sphk::to_text(key.value));
+  }
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(fs::path folder, const fs::path& last)
@@ -71,11 +92,15 @@ void Checkpoints::write(const Simulation& simulation, const LoopState& loop, con
   seconds_ = watch.wall();
 }
 
+bool Checkpoints::any() const {
+  return std::ranges::any_of(names, [this](const char* name) { return fs::exists(folder_ / name); });
+}
+
 void Checkpoints::remove() const {
   for (const char* name : names) fs::remove(folder_ / name);
 }
 
-SavedRun newest_checkpoint(const fs::path& folder) {
+SavedRun newest_checkpoint(const fs::path& folder, const Scene& scene, const Settings& settings) {
   std::optional<SavedRun> newest;
   std::vector<std::string> remarks;
   for (const char* name : names) {
@@ -83,6 +108,7 @@ SavedRun newest_checkpoint(const fs::path& folder) {
     if (!fs::exists(file)) continue;
     try {
       const Checkpoint checkpoint = read_checkpoint(file);
+      require_same_run(file, scene, settings);
       SavedRun run = from_text(checkpoint.loop);
       if (newest && newest->loop.steps >= run.loop.steps) continue;
       run.file = file;

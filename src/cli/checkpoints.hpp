@@ -42,6 +42,7 @@ class Checkpoints {
              const SnapshotInfo& info);
   /// Wall-clock seconds that the last one took.
   double seconds() const { return seconds_; }
+  bool any() const;
   /// Once a run is complete.
   void remove() const;
 
@@ -51,7 +52,8 @@ class Checkpoints {
   double seconds_ = 0;
 };
 
-/// The newest checkpoint of a folder that is whole. Throws InputError where there is none.
-SavedRun newest_checkpoint(const std::filesystem::path& folder);
+/// The newest checkpoint of a folder that is whole, and of a run of this scene with these keys of [scene] and [sph].
+/// Throws InputError where there is none.
+SavedRun newest_checkpoint(const std::filesystem::path& folder, const Scene& scene, const Settings& settings);
 
 }  // namespace sphk

@@ -6,6 +6,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/extreme_outcomes.hpp"
 #include "src/cli/stop_signal.hpp"
+#include "src/cli/trials.hpp"
 #include "src/engine/errors.hpp"
 #include "src/report/table.hpp"
 #include "src/report/text_file.hpp"
@@ -19,6 +20,17 @@ namespace {
 
 constexpr const char* longest = "600";  // wall-clock seconds that a case may take
 
+/// What a case comes to; an error ends it alone.
+std::vector<Outcome> outcomes_of(const Trial& one, const Workshop& shop) {
+  try {
+    return one.perform(shop);
+  } catch (const std::exception& error) {
+    return {{"no error", error.what(), false}};
+  }
+}
+
+}  // namespace
+
 std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
   std::vector<std::string> words{"run",        one.scene, "--out", folder.string(),     "--overwrite",
                                  "--walltime", longest,   "--set", "output.snapshots=1"};
@@ -31,35 +43,37 @@ std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int
   return outcomes_of(one, folder);
 }
 
-}  // namespace
-
 int extremes_command(const ExtremesOptions& options) {
-  std::vector<const ExtremeCase*> wanted;
+  std::vector<Trial> wanted;
+  for (const ExtremeCase& one : extreme_cases())
+    wanted.push_back({one.name, one.setup, [&one](const Workshop& w) { return perform(one, w.folder, w.threads); }});
+  wanted.insert(wanted.end(), further_trials().begin(), further_trials().end());
   for (const std::string& name : options.cases)
-    if (std::ranges::find(extreme_cases(), name, &ExtremeCase::name) == extreme_cases().end()) {
+    if (std::ranges::find(wanted, name, &Trial::name) == wanted.end()) {
       std::vector<std::string> names;
-      for (const ExtremeCase& one : extreme_cases()) names.push_back(one.name);
+      for (const Trial& one : wanted) names.push_back(one.name);
       throw InputError(fmt::format("there is no case \"{}\"; known are {}", name, fmt::join(names, ", ")));
     }
-  for (const ExtremeCase& one : extreme_cases())
-    if (options.cases.empty() || std::ranges::find(options.cases, one.name) != options.cases.end())
-      wanted.push_back(&one);
+  std::erase_if(wanted, [&](const Trial& one) {
+    return !options.cases.empty() && std::ranges::find(options.cases, one.name) == options.cases.end();
+  });
   const fs::path folder = options.out.value_or("extremes");
   fs::create_directories(folder);
   catch_stop_signals();
   Table table{{"case", "setup", "required", "found", ""}, {}, {0, 1, 2, 3, 4}};
   int failures = 0;
-  for (const ExtremeCase* one : wanted) {
-    fmt::print("{} ...", one->name);
+  for (const Trial& one : wanted) {
+    fmt::print("{} ...", one.name);
     std::fflush(stdout);
-    const std::vector<Outcome> outcomes = perform(*one, folder / one->name, options.threads);
+    fs::create_directories(folder / one.name);
+    const std::vector<Outcome> outcomes = outcomes_of(one, {folder / one.name, options.threads});
     if (stop_requested()) return ExitCode::stopped;
     const bool passed = std::ranges::all_of(outcomes, &Outcome::passed);
     failures += !passed;
     fmt::print(" {}\n", passed ? "pass" : "FAIL");
     for (const Outcome& outcome : outcomes) {
       const bool first = &outcome == &outcomes.front();
-      table.rows.push_back({first ? one->name : "", first ? one->setup : "", outcome.required, outcome.found,
+      table.rows.push_back({first ? one.name : "", first ? one.setup : "", outcome.required, outcome.found,
                             outcome.passed ? "pass" : "FAIL"});
     }
   }

@@ -17,6 +17,7 @@ PlotHint plain_hint(const Box& box) {
 
 FileScene::FileScene(const std::filesystem::path& path)
     : path_(std::filesystem::absolute(path)), content_(read_particles(path)) {
+  if (content_.particles.size() == 0) errors_.emplace_back("it holds no gas particles: at least one is needed");
   for (const Finding& finding : check_particles(content_.particles))
     (finding.severity == Finding::Severity::error ? errors_ : content_.remarks).push_back(to_text(finding));
 }
@@ -37,7 +38,8 @@ void FileScene::declare(Settings& settings) const {
 
 ParticleSet FileScene::build(const Settings& settings) const {
   if (!errors_.empty())
-    throw InputError(fmt::format("{} cannot be run:\n  {}", path_.string(), fmt::join(errors_, "\n  ")));
+    throw InputError(
+        fmt::format("{} cannot be run before this is mended:\n  {}", path_.string(), fmt::join(errors_, "\n  ")));
   ParticleSet particles = content_.particles;
   const std::string& periodic = settings.text("scene.periodic");
   for (int axis = 0; axis < particles.dimension && periodic != "file"; ++axis)

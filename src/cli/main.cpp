@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <optional>
@@ -33,6 +34,7 @@ int fail(int code, const char* message) {
 
 int main(int argc, char** argv) {
   using sphk::ExitCode;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, with a sentence
   try {
     return perform(argc, argv);
   } catch (const sphk::InputError& error) {

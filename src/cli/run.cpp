@@ -53,6 +53,12 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
   const std::string remark = stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma);
   if (!remark.empty()) record.warnings.push_back(remark);
+  const auto periodic = std::ranges::count(particles.box.periodic, true);
+  if (periodic == 0 && s.neighbours > static_cast<double>(particles.size()))
+    record.warnings.push_back(
+        fmt::format("{:g} neighbours are asked of {} particles without periodic images: supports reach over nearly "
+                    "all of them; sph.neighbours sets the number",
+                    s.neighbours, particles.size()));
   const auto [least, most] = std::ranges::minmax(particles.m);
   if ((s.scheme == "gadget2" || s.scheme == "v10") && most > 1.01 * least)
     record.warnings.push_back(
@@ -103,7 +109,8 @@ ParticleSet particles_of(const SavedRun& saved) {
 
 std::string scene_file_of(const fs::path& folder) {
   const fs::path file = folder / "scene.used.toml";
-  if (!fs::exists(file)) throw InputError(fmt::format("{} holds no run", folder.string()));
+  if (!fs::exists(file))
+    throw InputError(fmt::format("{} holds no run: name a folder that `sphk run` filled", folder.string()));
   return file.string();
 }
 
@@ -116,7 +123,7 @@ int run_command(const RunOptions& options) {
   if (options.out && !options.overwrite) refuse_used_folder(*options.out);
   const Stopwatch setup;
   std::optional<SavedRun> saved;
-  if (options.resume) saved = newest_checkpoint(*options.resume);
+  if (options.resume) saved = newest_checkpoint(*options.resume, *problem.scene, problem.settings);
   const ParticleSet particles = saved ? particles_of(*saved) : initial_condition(*problem.scene, problem.settings);
   const double begin = saved ? saved->loop.begin : particles.time;
   RunLoop::Plan plan = make_plan(problem.settings, begin, options.walltime);
@@ -153,6 +160,9 @@ int run_command(const RunOptions& options) {
     conclude();
     throw NumericsError(fmt::format("{}\nThe run until then is in {}, its last snapshot is {}", error.what(),
                                     output.folder().string(), output.last_snapshot()));
+  } catch (const InputError& error) {  // an output that cannot be written
+    if (!checkpoints.any()) throw;
+    throw InputError(fmt::format("{}\nThen go on with: sphk run --resume {}", error.what(), output.folder().string()));
   }
   conclude();
   if (record.finished) checkpoints.remove();

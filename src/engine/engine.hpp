@@ -11,6 +11,7 @@
 #include "src/engine/neighbour_counts.hpp"
 #include "src/engine/output.hpp"
 #include "src/engine/snapshot.hpp"
+#include "src/engine/step_errors.hpp"
 #include "src/engine/totals.hpp"
 
 namespace sphk {
@@ -33,7 +34,7 @@ class Engine final : public Simulation {
         max_dt_(settings.max_dt),
         seconds_(facts_.passes.size()) {
     run_passes();
-    require_finite(run_.limit, run_.time, run_.step);
+    require_finite();
     searches_ += run_.searches;
     fits_ += run_.fits;
     seconds_.assign(seconds_.size(), 0.0);
@@ -47,8 +48,8 @@ class Engine final : public Simulation {
     ++run_.step;
     run_passes();
     run_.time = end_of_step_;
-    require_finite(run_.limit, run_.time, run_.step);
-    require_tick(run_.limit, run_.state.clock, run_.time, run_.step);
+    require_finite();
+    if (run_.state.clock.individual) require_tick();
     report_.step = run_.step;
     report_.time = run_.time;
     report_.dt = run_.state.clock.dt;
@@ -187,7 +188,7 @@ class Engine final : public Simulation {
   void begin_step(double t_end) {
     StepClock& clock = run_.state.clock;
     clock.dt = next_dt(t_end);
-    require_progress(run_.limit, clock.dt, run_.time, run_.step);
+    if (!(run_.time + clock.dt > run_.time)) fail_without_progress(stuck_particle(), clock.dt);
     end_of_step_ = t_end - run_.time <= clock.dt * (1 + 1e-12) ? t_end : run_.time + clock.dt;
   }
 
@@ -209,6 +210,7 @@ class Engine final : public Simulation {
     block_begin_ = run_.time;
     block_end_ = t_end;
     clock.tick = (block_end_ - block_begin_) / static_cast<double>(StepClock::block);
+    require_tick();
     clock.now = clock.next = 0;
     run_.state.active.everyone = true;
     // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike
@@ -217,6 +219,19 @@ class Engine final : public Simulation {
     Schedule schedule = run_.schedule;
     if (schedule.starting) schedule.longest = std::min(schedule.longest, run_.limit.dt);
     assign_steps(run_.state, schedule, 0);
+  }
+
+  void require_finite() const {
+    if (!(run_.limit.dt > 0)) fail_not_finite(stuck_particle());
+  }
+  void require_tick() const {
+    const double tick = run_.state.clock.tick;
+    if (!(run_.limit.dt >= tick)) fail_below_shortest(stuck_particle(), run_.limit.dt, tick);
+  }
+  StuckParticle stuck_particle() const {
+    StepReport report;
+    note_limiting_particle(run_.state, run_.limit.particle, report);
+    return {report.limiting_id, report.limiting_x, run_.time, run_.step};
   }
 
   /// The limit's dt, cut to end at t_end without a sliver of a step after it.

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "kernels/core/polynomial.hpp"
-#include "src/engine/errors.hpp"
 #include "src/engine/scheme_interface.hpp"
 
 namespace sphk {
@@ -47,15 +46,6 @@ constexpr double flops_per_pair() {
   return flops_of_search<S> + flops_of_density_terms<S> + (fits ? flops_of_fit<S> : 0) +
          (generalised ? flops_of_general_density<S> : 0) + flops_of_rates<S>;
 }
-
-/// Throws NumericsError naming the particle when the next time-step is not positive.
-void require_finite(const StepLimit& limit, double time, long step);
-
-/// Throws NumericsError where a step of dt does not change the time.
-void require_progress(const StepLimit& limit, double dt, double time, long step);
-
-/// Throws NumericsError where a particle asks for less than the shortest step of the hierarchy.
-void require_tick(const StepLimit& limit, const StepClock& clock, double time, long step);
 
 /// Sentences on searches for h and fits that did not go as they should.
 std::vector<std::string> warnings_of(const SupportCounts& searches, const FitCounts& fits);

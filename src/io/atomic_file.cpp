@@ -46,6 +46,9 @@ void write_atomically(const fs::path& path, std::string_view bytes) {
   if (std::error_code error; !fs::is_directory(folder, error))
     throw InputError(
         fmt::format("{0}: there is no folder {1}; make it with: mkdir -p {1}", path.string(), folder.string()));
+  if (std::error_code error; fs::exists(path, error) && !fs::is_regular_file(path, error))
+    throw InputError(
+        fmt::format("{}: a directory or a device of this name is in the way; choose another name", path.string()));
   const fs::path temporary = folder / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
   if (!replace(path, temporary, bytes)) {
     const std::string reason = std::strerror(errno);

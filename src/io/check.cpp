@@ -102,6 +102,8 @@ std::vector<Finding> check_particles(const ParticleSet& p) {
   });
   collect.rows(Severity::error, "with zero or negative mass", [&](std::size_t i) { return p.m[i] <= 0; });
   collect.rows(Severity::error, "with negative specific thermal energy", [&](std::size_t i) { return p.u[i] < 0; });
+  if (!p.h.empty())
+    collect.rows(Severity::error, "with negative smoothing length", [&](std::size_t i) { return p.h[i] < 0; });
   if (!p.id.empty())
     collect.repeats(Severity::error, "with the id of another one",
                     sorted_rows(n, [&](std::size_t i) { return p.id[i]; }),

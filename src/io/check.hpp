@@ -23,8 +23,8 @@ struct Finding {
   std::vector<Example> examples;
 };
 
-/// NaN and infinities, zero or negative masses, negative specific thermal energies, duplicate ids, particles at exactly
-/// the same place and particles outside the box; empty when all is well. O(n log n).
+/// NaN and infinities, zero or negative masses, negative specific thermal energies and smoothing lengths, duplicate
+/// ids, particles at exactly the same place and particles outside the box; empty when all is well. O(n log n).
 std::vector<Finding> check_particles(const ParticleSet& particles);
 
 /// One line: the count, the problem, index, id and position of the first few.

@@ -280,7 +280,7 @@ File File::open(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, error)) throw InputError(path.string() + ": there is no such file");
   if (std::filesystem::is_directory(path, error)) throw InputError(path.string() + ": this is a folder, not a file");
   Handle id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": this is no readable HDF5 file");
+  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": this is no readable HDF5 file; copy or write it anew");
   return File(std::move(id));
 }
 

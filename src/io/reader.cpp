@@ -93,8 +93,11 @@ void Reader::read_first(const hdf5::File& file) {
   if (!std::isfinite(result_.particles.time))
     throw InputError(header.where() + ": Time is not a finite number; set the attribute");
   if (file.has("HydroScheme")) {
-    const double gamma = number_or(file.group("HydroScheme"), "Adiabatic index", 0);
-    if (gamma > 1 && std::isfinite(gamma)) result_.gamma = gamma;
+    const auto gamma = numbers_or(file.group("HydroScheme"), "Adiabatic index", {});
+    if (!gamma.empty() && gamma[0] > 1 && std::isfinite(gamma[0]))
+      result_.gamma = gamma[0];
+    else if (!gamma.empty())
+      remark(fmt::format("the file's adiabatic index {} is not above 1: sph.gamma says which is used", gamma[0]));
   }
   if (!file.has("Units")) remark("there is no Units group: all numbers are taken as code units");
   read_box(file, header);
@@ -174,6 +177,13 @@ void Reader::set_dimension() {
   if (dropped)
     remark(fmt::format("{} rows of Coordinates and Velocities were not 0 beyond {} dimensions and now are", dropped,
                        dimension));
+  const auto last = static_cast<std::size_t>(dimension - 1);
+  const auto differs = [last](const Array3& a, const Array3& b) { return a[last] != b[last]; };
+  if (last > 0 && gas_.x.size() > 1 && std::ranges::adjacent_find(gas_.x, differs) == gas_.x.end())
+    remark(
+        fmt::format("all particles have the same {}: gas that is meant to be {}D needs the attribute Dimension of "
+                    "Header set to {}",
+                    "xyz"[last], last, last));
 }
 
 void Reader::set_box() {
@@ -208,13 +218,14 @@ void Reader::fill_gaps() {
     std::iota(gas_.id.begin(), gas_.id.end(), std::uint64_t{1});
     remark("there are no ParticleIDs: numbered from 1 in the file's order");
   }
-  const bool usable = gas_.h.size() == n && std::all_of(gas_.h.begin(), gas_.h.end(), [](double h) { return h > 0; });
-  if (!usable) {
+  const auto unknown = std::ranges::count(gas_.h, 0.0);
+  if (gas_.h.size() != n || unknown == static_cast<std::ptrdiff_t>(n)) {
     gas_.h.clear();
-    remark("there are no positive smoothing lengths: they will be found");
-  } else if (!result_.own_snapshot && n > 0) {
-    remark("smoothing lengths are taken as a first guess of the support radius");
+    remark("there are no smoothing lengths: they will be found");
+    return;
   }
+  if (!result_.own_snapshot) remark("smoothing lengths are taken as a first guess of the support radius");
+  if (unknown > 0) remark(fmt::format("smoothing lengths of 0 ({} of {}) will be found", unknown, n));
 }
 
 ReadResult Reader::finish() {

@@ -16,6 +16,10 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
     throw InputError(
         fmt::format("cannot write {}: {}; is there space, and may you write there?", path.string(), reason));
   };
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw InputError(fmt::format("cannot write {}: a directory or a device of this name is in the way; choose another",
+                                 path.string()));
   std::filesystem::path temporary = path;
   temporary += ".tmp";
   errno = 0;
@@ -23,7 +27,6 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
   file << text;
   file.close();
   if (!file) fail();
-  std::error_code error;
   std::filesystem::rename(temporary, path, error);
   if (error) errno = error.value(), fail();
 }

@@ -14,7 +14,7 @@ const std::vector<const Scene*>& scenes() {
                                                &noh_scene(),    &expansion_scene(),     &kh12_scene(),
                                                &kh18_scene(),   &mcnally_scene(),       &shearing_scene(),
                                                &blob_scene(),   &ring_scene(),          &square_scene(),
-                                               &uniform_scene()};
+                                               &odd_scene(),    &uniform_scene()};
   return table;
 }
 

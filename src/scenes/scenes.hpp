@@ -19,6 +19,7 @@ const Scene& shearing_scene();
 const Scene& blob_scene();
 const Scene& ring_scene();
 const Scene& square_scene();
+const Scene& odd_scene();
 const Scene& uniform_scene();
 
 }  // namespace sphk

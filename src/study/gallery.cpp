@@ -39,6 +39,7 @@ const std::vector<GalleryTile>& gallery_tiles() {
        ""},
       {"blob", {{"scene.n", "32"}, {"time.end", "3.748"}}, ""},
       {"square", {{"scene.n", "32"}}, ""},
+      {"odd", {{"scene.problem", "ten"}, {"scene.n", "16"}}, ""},
       {"uniform", {{"scene.n", "24"}}, "rho"}};
   return tiles;
 }

@@ -168,7 +168,7 @@ TEST_F(RunLoopTest, AFileNamedStopEndsItWithACheckpoint) {
   EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 1}), RunLoop::End::stopped);
   EXPECT_EQ(steps, 1);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "stop")) << "else it would end the next run too";
-  const SavedRun saved = newest_checkpoint(folder.path());
+  const SavedRun saved = newest_checkpoint(folder.path(), scene, settings);
   EXPECT_EQ(saved.loop.steps, 1);
   EXPECT_EQ(saved.simulation.at("clock"), std::vector<std::uint8_t>{1});
   EXPECT_EQ(saved.output.snapshot_times, std::vector<double>{0});
@@ -178,13 +178,13 @@ TEST_F(RunLoopTest, WallClockTimeEndsItWithACheckpoint) {
   Clock clock(1e-9);
   EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 1, .walltime = 0.05}), RunLoop::End::stopped);
   EXPECT_GT(steps, 0);
-  EXPECT_EQ(newest_checkpoint(folder.path()).loop.steps, steps);
+  EXPECT_EQ(newest_checkpoint(folder.path(), scene, settings).loop.steps, steps);
 }
 
 TEST_F(RunLoopTest, TheNewestWholeCheckpointIsTaken) {
   Clock clock(0.1);
   run(clock, {.end = 1, .steps = 6, .snapshots = 1, .checkpoint = 1e-9});  // after every step, by turns
-  const SavedRun newest = newest_checkpoint(folder.path());
+  const SavedRun newest = newest_checkpoint(folder.path(), scene, settings);
   EXPECT_EQ(newest.loop.steps, 6);
   EXPECT_TRUE(newest.remarks.empty());
   // A bit of its state turns over, as on a bad disk.
@@ -193,12 +193,25 @@ TEST_F(RunLoopTest, TheNewestWholeCheckpointIsTaken) {
   ASSERT_NE(at, std::string::npos);
   bytes[at + 9] = '8';
   std::ofstream(newest.file, std::ios::binary) << bytes;
-  const SavedRun other = newest_checkpoint(folder.path());
+  const SavedRun other = newest_checkpoint(folder.path(), scene, settings);
   EXPECT_EQ(other.loop.steps, 5);
   ASSERT_EQ(other.remarks.size(), 1u);
   EXPECT_NE(other.remarks[0].find("is damaged"), std::string::npos) << other.remarks[0];
   std::ofstream(other.file, std::ios::binary) << "";
-  EXPECT_THROW(newest_checkpoint(folder.path()), InputError);
+  EXPECT_THROW(newest_checkpoint(folder.path(), scene, settings), InputError);
+}
+
+TEST_F(RunLoopTest, ACheckpointOfAnotherRunIsNotTaken) {
+  Clock clock(0.1);
+  run(clock, {.end = 1, .steps = 2, .snapshots = 1, .checkpoint = 1e-9});
+  settings.set("sph.neighbours", 50.0, Origin::file);
+  try {
+    newest_checkpoint(folder.path(), scene, settings);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("sph.neighbours is \"48.0\", not \"50.0\""), std::string::npos)
+        << error.what();
+  }
 }
 
 // Last: the request to stop stays for the rest of the process.
@@ -209,7 +222,7 @@ TEST_F(RunLoopTest, ZASignalFinishesTheStepAndLeavesACheckpoint) {
   EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 1}), RunLoop::End::stopped);
   EXPECT_EQ(steps, 4);
   EXPECT_EQ(times().size(), 1u) << "no output that a run without a stop would not have";
-  EXPECT_EQ(newest_checkpoint(folder.path()).loop.steps, 4);
+  EXPECT_EQ(newest_checkpoint(folder.path(), scene, settings).loop.steps, 4);
 }
 
 }  // namespace

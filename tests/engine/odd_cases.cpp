@@ -111,5 +111,28 @@ TEST(OddCases, errors_name_the_particle_and_the_remedy) {
   EXPECT_NE(message_of(gas, settings_for(10)).find("the particle itself"), std::string::npos);
 }
 
+TEST(OddCases, a_time_step_that_vanishes_names_the_particle_and_the_remedy) {
+  ParticleSet gas = gas_at({{0.5, 0.5, 0.5}, {0.6, 0.5, 0.5}});
+  gas.id = {70, 30};
+  gas.time = 1;
+  gas.u[1] = 1e40;  // C h / c is below 1e-20, and 1 + 1e-20 = 1
+  const auto message = [&](bool individual) -> std::string {
+    SimulationSettings settings = settings_for(48);
+    settings.individual_steps = individual;
+    try {
+      make_simulation(gas, settings)->step(2);
+    } catch (const NumericsError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_NE(message(false).find("too short to change the time"), std::string::npos) << message(false);
+  EXPECT_NE(message(false).find("step 0, t = 1: the particle with id "), std::string::npos) << message(false);
+  EXPECT_NE(message(true).find("below the shortest one"), std::string::npos) << message(true);
+  gas.v[0][0] = 1e200;  // its square is no number
+  EXPECT_NE(message(false).find("not a positive number"), std::string::npos) << message(false);
+  EXPECT_NE(message(false).find("sph.precision"), std::string::npos) << message(false);
+}
+
 }  // namespace
 }  // namespace sphk::test

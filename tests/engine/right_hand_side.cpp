@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tsph_3d", "tsph", "ct", 3, {8, 8, 8}, 64, true},
                     Case{"gadget2_3d", "gadget2", "cs", 3, {9, 8, 7}, 42, true},
                     Case{"gadget2_3d_slab_of_two_layers", "gadget2", "cs", 3, {9, 9, 2}, 128, true},
+                    Case{"gadget2_3d_slab_of_one_layer", "gadget2", "cs", 3, {9, 9, 1}, 442, true},
                     Case{"sph_3d_rod_wider_than_the_box", "sph", "hoct4", 3, {40, 1, 2}, 128, true},
                     Case{"sph_2d", "sph", "cs", 2, {12, 10, 1}, 32, true},
                     Case{"gadget2_2d_open", "gadget2", "cs", 2, {12, 10, 1}, 24, false},

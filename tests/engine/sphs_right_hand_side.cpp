@@ -63,6 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"donor_3d", "sphs", "hoct4", 3, {9, 8, 9}, 128, true, false},
         Case{"donor_3d_open", "sphs", "hoct4", 3, {7, 8, 9}, 96, false, false},
         Case{"flux_3d_slab", "sphs", "hoct4", 3, {9, 9, 2}, 128, true, false, MassCorrection::flux},
+        Case{"donor_3d_slab_of_one_layer", "sphs", "hoct4", 3, {9, 9, 1}, 442, true, false},
         Case{"particle_3d_table", "sphs", "ct", 3, {9, 8, 9}, 100, true, false, MassCorrection::particle},
         Case{"donor_unpaid_2d", "sphs", "hoct4", 2, {14, 12, 1}, 40, true, false, MassCorrection::donor_unpaid},
         Case{"equal_masses_2d_table", "sphs", "wc4", 2, {14, 12, 1}, 36, false, true},

@@ -1,5 +1,7 @@
 #include "src/io/atomic_file.hpp"
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include "tests/io/example.hpp"
@@ -34,6 +36,10 @@ TEST_F(AtomicFile, WhatStandsInTheWayIsLeftAlone) {
   std::filesystem::create_directories(file("a") / "b");
   EXPECT_TRUE(mentions(input_error([&] { write_atomically(file("a"), "text"); }), {"/a", "irectory"}));
   EXPECT_TRUE(std::filesystem::exists(file("a") / "b"));
+  mkfifo(file("pipe").c_str(), 0600);  // as a device would be
+  EXPECT_TRUE(mentions(input_error([&] { write_atomically(file("pipe"), "text"); }), {"/pipe", "device"}));
+  EXPECT_TRUE(std::filesystem::is_fifo(file("pipe")));
+  std::filesystem::remove(file("pipe"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 

@@ -66,6 +66,13 @@ TEST(Check, MassesAndEnergies) {
   EXPECT_EQ(only_finding(p).examples.at(0).index, 2);
 }
 
+TEST(Check, NegativeSmoothingLengths) {
+  ParticleSet p = healthy(6);
+  p.h = {1, 1, 0, 1, -1, 1};  // 0 is to be found
+  EXPECT_EQ(only_finding(p).examples.at(0).index, 4);
+  EXPECT_EQ(only_finding(p).severity, Finding::Severity::error);
+}
+
 TEST(Check, RepeatedIds) {
   ParticleSet p = healthy(6);
   p.id = {5, 9, 5, 7, 9, 5};

@@ -211,6 +211,38 @@ TEST_F(Reader, WhatDoesNotFitIsNamed) {
   EXPECT_TRUE(mentions(error_of(comoving), {"comoving", "Cosmological run"}));
 }
 
+TEST_F(Reader, SmoothingLengthsOfZeroAreToBeFound) {
+  const auto with = [&](std::vector<double> h) {
+    auto made = ExampleIc{}.make();
+    made.group("PartType0").write("SmoothingLength", h);
+    return read(made);
+  };
+  const ReadResult all = with(std::vector<double>(8));
+  EXPECT_TRUE(all.particles.h.empty());
+  EXPECT_TRUE(remarked(all, "they will be found"));
+  const std::vector<double> most{1, 1, 0, 1, 1, 1, -1, 1};
+  const ReadResult some = with(most);
+  EXPECT_EQ(some.particles.h, most) << "check_particles complains of the negative one";
+  EXPECT_TRUE(remarked(some, "smoothing lengths of 0 (1 of 8) will be found"));
+}
+
+TEST_F(Reader, AnIndexThatIsOneAndASheetAreRemarkedOn) {
+  auto made = ExampleIc{}.make();
+  made.create_group("HydroScheme").set("Adiabatic index", 1.0);
+  const ReadResult isothermal = read(made);
+  EXPECT_FALSE(isothermal.gamma);
+  EXPECT_TRUE(remarked(isothermal, "adiabatic index 1 is not above 1"));
+  EXPECT_FALSE(remarked(isothermal, "the same z"));
+  auto sheet = hdf5::File::create();
+  sheet.create_group("Header");
+  auto gas = sheet.create_group("PartType0");
+  gas.write("Coordinates", std::vector<double>{0, 1, 5, 1, 0, 5}, 3);
+  gas.write("Velocities", std::vector<double>(6), 3);
+  gas.write("Masses", std::vector<double>{1, 1});
+  gas.write("InternalEnergy", std::vector<double>{1, 1});
+  EXPECT_TRUE(remarked(read(sheet), "all particles have the same z: gas that is meant to be 2D needs"));
+}
+
 TEST_F(Reader, MissingPiecesAreNamed) {
   auto empty = hdf5::File::create();
   EXPECT_TRUE(mentions(error_of(empty), {"ic.hdf5", "Header"}));

@@ -8,6 +8,7 @@
 #include "src/scenes/scene.hpp"
 #include "src/study/extremes.hpp"
 #include "src/study/gallery.hpp"
+#include "src/study/odd_cases.hpp"
 #include "src/study/others.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -131,6 +132,17 @@ TEST(Extremes, AreOfScenesAndHaveBounds) {
     EXPECT_NO_THROW(find_scene(one.scene)) << one.name;
     EXPECT_FALSE(one.requirements.empty()) << one.name;
     for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.bound, 0) << one.name;
+  }
+}
+
+TEST(OddArrangements, AreRunByTwoSchemesWithBothKindsOfSteps) {
+  std::set<std::string> names;
+  for (const OddArrangement& odd : odd_arrangements()) {
+    EXPECT_EQ(odd.cases.size(), 4u) << odd.name;
+    for (const ExtremeCase& one : odd.cases) {
+      EXPECT_TRUE(names.insert(one.name).second) << one.name;
+      EXPECT_EQ(one.scene, "odd");
+    }
   }
 }
 
