@@ -78,7 +78,7 @@ class Engine final : public Simulation {
     heat_nearest(run_.state, place, energy);
     heated_ += energy;
     run_passes();
-    require_finite(run_.limit, run_.time, run_.step);
+    require_finite();
     start_ = run_.time;
   }
 

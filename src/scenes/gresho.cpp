@@ -108,8 +108,7 @@ class Gresho : public Scene {
   /// Around the centre of the vortex at the end.
   PlotHint plot_hint(const Settings& settings) const override {
     const double boost = settings.real("scene.boost");
-    const Array3 centre = unmoved({0, 0, 0}, -boost, settings.real("time.end"));
-    return {.abscissa = "R", .from = 0, .to = 0.5, .centre = centre};
+    return {.abscissa = "R", .from = 0, .to = 0.5, .velocity = {boost, boost, 0}};
   }
 };
 

@@ -37,7 +37,8 @@ struct PlotHint {
   std::string abscissa = "x";  ///< x | y | R (cylindrical) | r (spherical)
   std::vector<std::string> fields{"rho", "v", "P"};
   double from = 0, to = 1;
-  Array3 centre{};
+  Array3 centre{};    ///< at t = 0
+  Array3 velocity{};  ///< of the centre; the pictures' velocities are relative to it
   bool map = false;  ///< also a slice through the density; always drawn in 2D and around a centre
 };
 

@@ -20,6 +20,7 @@ const std::vector<GalleryTile>& gallery_tiles() {
        "rho"},
       {"point-explosion", {{"scene.n", "24"}}, ""},
       {"noh", {{"scene.n", "100"}, {"scene.dimension", "2"}}, "rho"},
+      {"expansion", {}, "rho"},
       {"kh12", {{"scene.n", "64"}, {"scene.dimension", "2"}, {"scene.edges", "soft"}, {"time.end", "4.82118"}}, ""},
       {"kh18",
        {{"scene.n", "64"},
@@ -38,6 +39,7 @@ const std::vector<GalleryTile>& gallery_tiles() {
         {"time.end", "1.684"}},
        ""},
       {"blob", {{"scene.n", "32"}, {"time.end", "3.748"}}, ""},
+      {"ring", {{"scene.n", "32"}, {"time.end", "12.566"}}, ""},
       {"square", {{"scene.n", "32"}}, ""},
       {"odd", {{"scene.problem", "ten"}, {"scene.n", "16"}}, ""},
       {"uniform", {{"scene.n", "24"}}, "rho"}};

@@ -131,7 +131,7 @@ TEST(Extremes, AreOfScenesAndHaveBounds) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_NO_THROW(find_scene(one.scene)) << one.name;
     EXPECT_FALSE(one.requirements.empty()) << one.name;
-    for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.bound, 0) << one.name;
+    for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.below, 0) << one.name;
   }
 }
 

@@ -7,14 +7,15 @@ DATASETS = {"rho": "Densities", "P": "Pressures", "u": "InternalEnergies", "A": 
 
 
 class Snapshot:
-    """Gas of one file. `item` is the work order of the command line: dimension, box, abscissa, centre, ..."""
+    """Gas of one file. `item` is the work order of the command line: dimension, box, abscissa, centre and
+    its velocity, ..."""
 
     def __init__(self, item):
         self.item = item
         with h5py.File(item["file"], "r") as file:
             gas = file["PartType0"]
             self.x = gas["Coordinates"][...].astype(float)
-            self.velocity = gas["Velocities"][...].astype(float)
+            self.velocity = gas["Velocities"][...].astype(float) - np.array(item["velocity"])
             self.E0 = gas["E0"][...].astype(float) if "E0" in gas else None
             self.nearest = gas["NearestNeighbour"][...].astype(float) if "NearestNeighbour" in gas else None
             self.fields = {name: gas[key][...] for name, key in DATASETS.items() if key in gas}
