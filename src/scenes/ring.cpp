@@ -74,18 +74,21 @@ class Ring final : public Scene {
     ParticleSet gas;
     gas.dimension = 2;
     gas.box = {{-2, -2, 0}, {4, 4, 1}, {}};
-    double filled = 0;
-    for (bool odd = false; filled < rings_mass; odd = !odd) {
-      const double edge = profile.place(filled / rings_mass);
-      const double count = std::max(std::round(2 * std::numbers::pi * edge * n * std::sqrt(density(edge))), 1.0);
-      const double R = profile.place(std::min((filled + 0.5 * count * mass) / rings_mass, 1.0));
+    double left = std::floor(rings_mass / mass + 0.5);  // particles
+    for (bool odd = false; left > 0; odd = !odd) {
+      const auto place = [&](double outside) {
+        return profile.place(std::clamp(1 - outside * mass / rings_mass, 0.0, 1.0));
+      };
+      const double edge = place(left);
+      const double wanted = std::round(2 * std::numbers::pi * edge * n * std::sqrt(density(edge)));
+      const double count = std::clamp(wanted, 1.0, left), R = place(left - 0.5 * count);
       for (int k = 0; k < static_cast<int>(count); ++k) {
         const double angle = 2 * std::numbers::pi * (k + (odd ? 0.5 : 0)) / count;
         const double c = std::cos(angle), s = std::sin(angle), v = speed(R, settings);
         gas.x.push_back({R * c, R * s, 0});
         gas.v.push_back({-v * s, v * c, 0});
       }
-      filled += count * mass;
+      left -= count;
     }
     gas.m.assign(gas.size(), mass);
     gas.u.assign(gas.size(), energy(settings));

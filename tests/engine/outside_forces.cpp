@@ -29,7 +29,7 @@ SimulationSettings orbit_settings(double courant) {
   SimulationSettings s;
   s.scheme = "gadget2";
   s.precision = "double";
-  s.neighbours = 8;
+  s.neighbours = 12;
   s.courant = courant;
   s.central_mass = GM;
   s.softening = softening;
@@ -104,7 +104,7 @@ struct ColdGas {
   ParticleSet particles = shaken_lattice(3, {8, 8, 8}, 0.1, true, 3);
   SimulationSettings settings;
   explicit ColdGas(bool individual) {
-    for (double& u : particles.u) u = 1e-8;
+    for (double& u : particles.u) u = 1e-4;
     for (Array3& v : particles.v) v = {};
     settings.scheme = "gadget2";
     settings.precision = "double";
@@ -117,18 +117,18 @@ TEST(Heat, ComesToTheNearestParticleAlone) {
   for (const bool individual : {false, true}) {
     ColdGas cold(individual);
     const auto run = make_simulation(cold.particles, cold.settings);
-    for (int k = 0; k < 3; ++k) run->step(10);
+    for (int k = 0; k < 3; ++k) run->step(50);
     const Snapshot before = run->snapshot();
     const double energy = run->totals().energy();
     const auto& x = before.field("Coordinates").values;
     const std::size_t chosen = 77;
     run->heat({x[3 * chosen] + 1e-3, x[3 * chosen + 1], x[3 * chosen + 2]}, 0.25);
-    EXPECT_NEAR(run->totals().energy(), energy + 0.25, 1e-12);
+    EXPECT_NEAR(run->totals().energy(), energy + 0.25, 1e-7);  // supports, so densities, are searched anew
     EXPECT_EQ(run->totals().heated, 0.25);
     const auto &u = before.field("InternalEnergies").values, &m = before.field("Masses").values;
     const auto hot = run->snapshot().field("InternalEnergies").values;
     for (std::size_t i = 0; i < hot.size(); ++i)
-      EXPECT_NEAR(hot[i], u[i] + (i == chosen ? 0.25 / m[i] : 0), 1e-12 * (1 + hot[i])) << i;
+      EXPECT_NEAR(hot[i], u[i] + (i == chosen ? 0.25 / m[i] : 0), 1e-7 * hot[i]) << i;
   }
 }
 
@@ -141,36 +141,36 @@ TEST(Heat, AcrossAPeriodicFace) {
   EXPECT_GT(u[5], 1);
 }
 
-// A particle heated by more than 1e8 in the midst of its long step: everyone's step ends there, the next one is what
+// A particle heated by 5e8 in the midst of its long step: everyone's step ends there, the next one is what
 // the hot particle asks for, and the blast keeps its energy and stays in balance.
 TEST(Heat, WakesTheNeighboursAtOnce) {
   ColdGas cold(true);
   const auto run = make_simulation(cold.particles, cold.settings);
-  const double end = 0.5;
+  const double end = 50;
   double before = 0;
   for (int k = 0; k < 5; ++k) before = run->step(end).dt;
   ASSERT_LT(run->time(), end) << "in the midst of a block";
-  run->heat({0.5, 0.5, 0.5}, 1);
+  run->heat({0.5, 0.5, 0.5}, 100);  // u from 1e-4 to 5e4
   const double energy = run->totals().energy();
   const StepReport first = run->step(end);
   EXPECT_LT(first.dt, 1e-3 * before);
   EXPECT_EQ(first.updates, static_cast<long>(run->size()));
-  const double shortest = first.dt, until = run->time() + 0.02;
+  const double shortest = first.dt, until = run->time() + 0.002;
   while (run->time() < until) run->step(until);
   EXPECT_NEAR(run->totals().energy(), energy, 0.01 * energy);
-  for (const double p : run->totals().momentum) EXPECT_NEAR(p, 0, 1e-6);
+  for (const double p : run->totals().momentum) EXPECT_NEAR(p, 0, 1e-3 * std::sqrt(2 * energy));
   EXPECT_GT(run->last_step().dt, shortest) << "steps grow again as the blast cools";
 }
 
 TEST(Heat, IsKeptByASavedRun) {
   ColdGas cold(true);
   const auto run = make_simulation(cold.particles, cold.settings);
-  run->step(0.5);
+  run->step(50);
   run->heat({0.5, 0.5, 0.5}, 1);
-  run->step(0.5);
+  run->step(50);
   const auto other = make_simulation(cold.particles, cold.settings);
   other->restore(run->save());
-  for (int k = 0; k < 5; ++k) run->step(0.5), other->step(0.5);
+  for (int k = 0; k < 5; ++k) run->step(50), other->step(50);
   EXPECT_EQ(run->snapshot().field("Coordinates").values, other->snapshot().field("Coordinates").values);
   EXPECT_EQ(other->totals().heated, 1);
 }
