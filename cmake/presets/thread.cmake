@@ -1,6 +1,7 @@
-# cmake -C cmake/presets/thread.cmake -B build/thread    ThreadSanitizer, with clang: its OpenMP runtime (libomp-dev) says
-# through libarcher where threads wait for each other; gcc's says nothing, and every loop would pass for a race.
-# TSAN_OPTIONS=ignore_noninstrumented_modules=1 OMP_TOOL_LIBRARIES=/usr/lib/llvm-14/lib/libarcher.so ctest --test-dir build/thread
+# cmake -C cmake/presets/thread.cmake -B build/thread    ThreadSanitizer, with clang: its OpenMP runtime (libomp-dev) loads
+# libarcher, which says where threads wait for each other; gcc's says nothing, and every loop would pass for a race. Then
+# export TSAN_OPTIONS="ignore_noninstrumented_modules=1 suppressions=$PWD/cmake/presets/thread.supp" OMP_NUM_THREADS=2
+# and run the tests or sphk on as many idle cores: a thread that comes too late finds no work to race for.
 set(CMAKE_C_COMPILER clang CACHE STRING "C compiler")
 set(CMAKE_CXX_COMPILER clang++ CACHE STRING "C++ compiler")
 set(CMAKE_BUILD_TYPE Debug CACHE STRING "Build type")

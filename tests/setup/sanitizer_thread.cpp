@@ -8,9 +8,12 @@ namespace {
 
 using Number = Kokkos::View<int>;
 
+using Teams = Kokkos::TeamPolicy<Kokkos::Schedule<Kokkos::Dynamic>>;
+
 struct Race {
   Number sum;
   KOKKOS_FUNCTION void operator()(int i) const { sum() += i; }
+  KOKKOS_FUNCTION void operator()(const Teams::member_type& team) const { sum() += team.league_rank(); }
 };
 
 struct Sum {
@@ -23,15 +26,19 @@ class Sanitizer : public testing::Test {
 };
 using SanitizerDeathTest = Sanitizer;
 
+template <class Policy>
+void race_and_leave(Policy policy) {
+  Kokkos::parallel_for("race", policy, Race{Number("sum")});
+  Kokkos::fence();
+  std::exit(0);
+}
+
 TEST_F(SanitizerDeathTest, catches_a_race) {
-  const Number sum("sum");
-  EXPECT_EXIT(
-      {
-        Kokkos::parallel_for("race", 100000, Race{sum});
-        Kokkos::fence();
-        std::exit(0);
-      },
-      testing::ExitedWithCode(66), "data race");
+  EXPECT_EXIT(race_and_leave(Kokkos::RangePolicy<>(0, 100000)), testing::ExitedWithCode(66), "data race");
+}
+
+TEST_F(SanitizerDeathTest, catches_a_race_of_teams) {
+  EXPECT_EXIT(race_and_leave(Teams(3000000, 1)), testing::ExitedWithCode(66), "data race");
 }
 
 TEST_F(SanitizerDeathTest, does_not_take_a_reduction_for_one) {
