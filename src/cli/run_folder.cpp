@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "src/engine/errors.hpp"
@@ -12,10 +13,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What tells that a run is complete, or that it can go on.
+constexpr const char* verdict_files[] = {"run.json", "checkpoint_a.hdf5", "checkpoint_b.hdf5"};
+
 /// Does a run leave a file of this name?
 bool is_run_file(const std::string& name) {
-  for (const char* fixed : {"scene.used.toml", "history.csv", "run.json", "run.hdf.series", "checkpoint_a.hdf5",
-                            "checkpoint_b.hdf5", "stop"})
+  if (std::ranges::find(verdict_files, name) != std::end(verdict_files)) return true;
+  for (const char* fixed : {"scene.used.toml", "history.csv", "run.hdf.series", "stop"})
     if (name == fixed) return true;
   return (name.starts_with("snap_") && (name.ends_with(".hdf5") || name.ends_with(".png"))) || name == "history.png";
 }
@@ -37,6 +41,7 @@ fs::path make_free_folder(const std::string& name) {
 fs::path make_asked_folder(const fs::path& folder, bool overwrite) {
   fs::create_directories(folder);
   if (!overwrite) refuse_used_folder(folder);
+  for (const char* name : verdict_files) fs::remove(folder / name);  // first: half a run must not pass for a whole one
   for (const fs::path& file : run_files(folder)) fs::remove(file);
   return folder;
 }

@@ -19,8 +19,8 @@ std::vector<double> Deviations::times(double begin, double end) const {
   for (const Reference& r : references_)
     if (r.time > begin && r.time <= end) times.push_back(r.time);
   std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  times.erase(repeated.begin(), repeated.end());
+  // clang 14 does not compile std::ranges::unique
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 

@@ -73,15 +73,17 @@ class Resume(unittest.TestCase):
         for name, words in runs.items():
             with self.subTest(name):
                 words = [*words, "--set", "output.snapshots=4"]
+                begin = time.monotonic()
                 self.sphk("run", *words, "--out", name)
+                tenth = max(0.15, (time.monotonic() - begin) / 10)
                 text = self.sphk("run", *words, "--out", name + "-2", "--walltime", "0.001", code=75)
                 self.assertIn("sphk run --resume " + name + "-2", text)
                 for walltime in ("0.001", "0.001", "0.001"):  # a step each
                     self.sphk("run", "--resume", name + "-2", "--walltime", walltime, code=75)
                 code = 75
                 while code == 75:
-                    done = subprocess.run([SPHK, "run", "--resume", name + "-2", "--walltime", "0.15"], cwd=self.folder,
-                                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                    done = subprocess.run([SPHK, "run", "--resume", name + "-2", "--walltime", str(tenth)],
+                                          cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
                     code = done.returncode
                 self.assertEqual(code, 0, done.stdout)
                 self.assert_same(name, name + "-2")

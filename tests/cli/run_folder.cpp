@@ -46,6 +46,19 @@ TEST(RunFolder, OverwriteRemovesTheRunAndNothingElse) {
     EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
 }
 
+TEST(RunFolder, WhatIsLeftOfAnOverwriteThatFailsIsNoRun) {
+  const TemporaryFolder folder;
+  for (const char* name : {"run.json", "checkpoint_a.hdf5", "checkpoint_b.hdf5"}) touch(folder.path() / name);
+  for (int k = 0; k < 50; ++k) {  // folders with something in them, which are not removed
+    const fs::path stays = folder.path() / ("snap_" + std::to_string(k) + ".hdf5");
+    fs::create_directory(stays);
+    touch(stays / "file");
+  }
+  EXPECT_THROW(make_run_folder("sod", folder.path(), true), InputError);
+  for (const char* name : {"run.json", "checkpoint_a.hdf5", "checkpoint_b.hdf5"})
+    EXPECT_FALSE(fs::exists(folder.path() / name)) << name;
+}
+
 TEST(RunFolder, AFolderThatIsNotOursOnlyHoldsOtherFiles) {
   const TemporaryFolder folder;
   touch(folder.path() / "notes.txt");

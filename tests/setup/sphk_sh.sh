@@ -46,6 +46,6 @@ stub apt-get 'exit 100'
 expect "root: apt-get fails" 1 "apt-get could not install them"
 
 stub apt-get 'exit 0'
-expect "unknown preset" 1 "SPHK_PRESET can be: cuda debug openmp serial" SPHK_PRESET=fast
+expect "unknown preset" 1 "SPHK_PRESET can be: cuda debug openmp serial thread" SPHK_PRESET=fast
 
 exit $((failures > 0))
