@@ -26,7 +26,7 @@ Outcomes not_numbers(const Workshop& shop) {
   for (const auto& [dataset, value] : datasets)
     for (const double wrong : {nan, infinity, -infinity}) {
       const std::string name = fmt::format("{}-{}.hdf5", dataset, wrong);
-      commands.push_back({run_of_gas(shop, name, [&](ParticleSet& gas) { value(gas) = wrong; }),
+      commands.push_back({run_of_gas(shop, name, [wrong, value = value](ParticleSet& gas) { value(gas) = wrong; }),
                           ExitCode::bad_input,
                           {name, dataset, fmt::format("row {} (from 0) is {}", row, wrong), "mend the file"}});
     }
