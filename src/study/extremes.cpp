@@ -175,14 +175,18 @@ std::vector<ExtremeCase> at_rest() {
 }
 
 std::vector<ExtremeCase> rotation() {
-  const Keys vortex =
-      n("32") + set("scene.layers", "8") + set("sph.scheme", "sphs-morris") + set("scene.lattice", "glass");
+  const Keys vortex = set("scene.layers", "8") + set("scene.lattice", "glass") + set("sph.scheme", "sphs-morris") +
+                      set("time.courant", "0.4");
   return {
-      {"gresho-3", "a vortex to t = 3", "gresho", vortex + set("time.end", "3"), {{"energy", 1e-2}, {"l1_v", 0.1}}},
+      {"gresho-3",
+       "a vortex to t = 3",
+       "gresho",
+       vortex + n("48") + set("time.end", "3"),
+       {{"energy", 1e-2}, {"l1_v", 0.1}}},
       {"gresho-boosted",
        "a vortex that moves at 3",
        "gresho",
-       vortex + set("scene.boost", "3"),
+       vortex + n("32") + set("scene.boost", "3"),
        {{"energy", 1e-2}, {"l1_v", 0.1}}},
       {"ring",
        "five orbits of a cold ring",
