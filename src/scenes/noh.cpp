@@ -72,7 +72,8 @@ double wall_heating(const Snapshot& snapshot, double R) {
 }
 
 /// Mean errors of density and radial velocity on 0.05 <= r <= 0.35, each particle of the line x > 0 with the length
-/// that is nearest to it: the norm of the published planar runs, which leaves the heated gas at the wall out.
+/// that is nearest to it: the norm of the planar test of Spheral (Noh-planar-1d.py), which leaves the heated gas at the
+/// wall out.
 std::vector<std::pair<std::string, double>> errors_on_the_line(const Snapshot& snapshot, double R, double gamma) {
   const auto &x = snapshot.field("Coordinates").values, &v = snapshot.field("Velocities").values;
   const auto& rho = snapshot.field("Densities").values;
@@ -139,7 +140,7 @@ class Noh : public Scene {
     return profile_errors(snapshot, along_r(0.75 * (1 - snapshot.time)), exact(settings));
   }
   /// How uneven the gas behind the shock is, and how much too hot at the centre; at the start -1, as nothing is hot
-  /// yet. In 1D also the errors as those of published runs are taken.
+  /// yet. In 1D also the errors as Spheral takes them.
   std::vector<std::pair<std::string, double>> measures(const Settings& settings,
                                                        const Snapshot& snapshot) const override {
     const double R = shock_radius(snapshot.time, settings.real("sph.gamma"));

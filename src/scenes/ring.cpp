@@ -14,7 +14,7 @@ namespace {
 constexpr double middle = 1, width = 0.125;  ///< of the ring
 constexpr double inner = middle - 3 * width, outer = middle + 3 * width;
 
-/// Surface density of the ring (Cullen & Dehnen 2010, sec 4.3, scaled to radius 1).
+/// Surface density of the ring, after the one of Cullen & Dehnen (2010), scaled to radius 1.
 double density(double R) {
   const double s = (R - middle) / width;
   return std::exp(-0.5 * s * s);
@@ -44,7 +44,7 @@ Spread spread_at_start() {
 }
 
 /// A cold ring circles a mass: shear without compression, so that viscosity has nothing to do and particles must keep
-/// their order (Cullen & Dehnen 2010, sec 4.3).
+/// their order (Cullen & Dehnen 2010).
 class Ring final : public Scene {
  public:
   std::string name() const override { return "ring"; }

@@ -84,5 +84,26 @@ TEST(Noh, MeasuresScatterAndWallHeating) {
   }
 }
 
+// Errors that are the same everywhere are their own means, however the particles are spaced; the heated gas at the wall
+// does not count.
+TEST(Noh, MeasuresErrorsOnTheLine) {
+  const Settings settings = settings_of(noh_scene(), {{"scene.n", "100"}, {"scene.dimension", "1"}});
+  const auto exact = noh_scene().exact(settings);
+  ParticleSet gas = noh_scene().build(settings);
+  for (Array3& x : gas.x) x[0] *= 1 - 0.5 * std::abs(x[0]);
+  Snapshot snapshot = snapshot_of(gas, 0.6, [&](const Array3& x) {
+    GasState state = exact(x, 0.6);
+    state.rho += std::abs(x[0]) < 0.04 ? 7 : 0.25;
+    state.v[0] -= 0.125;
+    return state;
+  });
+  snapshot.fields.push_back({.name = "InternalEnergies", .values = std::vector<double>(gas.size(), 0.5)});
+  const auto measures = noh_scene().measures(settings, snapshot);
+  ASSERT_EQ(measures.size(), 4u);
+  EXPECT_EQ(measures[2].first, "line_error_rho");
+  EXPECT_NEAR(measures[2].second, 0.25, 1e-12);
+  EXPECT_NEAR(measures[3].second, 0.125, 1e-12);
+}
+
 }  // namespace
 }  // namespace sphk

@@ -123,5 +123,21 @@ TEST(InitialCondition, TakesEveryEnergyFromAPressure) {
   EXPECT_NEAR(high, 3, 1e-6);
 }
 
+// After each of several rounds u follows from the pressure again; after one it keeps what settling has left.
+TEST(InitialCondition, SettlesWithEvenPressureInRounds) {
+  const auto spread = [](const char* rounds) {
+    const auto [low, high] = pressures_after(settings_with({{"scene.n", "20"},
+                                                            {"scene.temperatures", "exact"},
+                                                            {"ic.pressure", "3"},
+                                                            {"ic.relax", "0.1"},
+                                                            {"ic.rounds", rounds},
+                                                            {"sph.precision", "double"}}),
+                                             0);
+    return std::max(std::abs(low - 3), std::abs(high - 3));
+  };
+  EXPECT_GT(spread("1"), 1e-3);
+  EXPECT_LT(spread("3"), 1e-6);
+}
+
 }  // namespace
 }  // namespace sphk
