@@ -35,7 +35,7 @@ class CellTree {
       count = (count + fan_out - 1) / fan_out;
     }
     first[levels] = total;
-    nodes_ = Kokkos::View<double* [2 * D + 1], Kokkos::LayoutLeft, MemorySpace>("cell tree", total + fan_out);
+    nodes_ = Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace>("cell tree", total + fan_out);
     all = Kokkos::View<Bounds<D>, MemorySpace>("cell tree, all");
   }
 
@@ -80,7 +80,7 @@ class CellTree {
   }
 
  private:
-  Kokkos::View<double* [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
+  Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
 };
 
 namespace detail {

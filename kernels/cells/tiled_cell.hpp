@@ -155,9 +155,7 @@ class TiledCell {
   /// page after the candidates that it is made of: while it falls behind them, the two stay apart.
   static constexpr std::size_t page = 4096;
 
-  TargetMask targets_of(int i, int count) const {
-    return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1);
-  }
+  TargetMask targets_of(int i, int count) const { return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1); }
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
   template <class F>

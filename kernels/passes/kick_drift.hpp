@@ -114,8 +114,7 @@ struct ClosingKick {
   /// The central mass pulls beside the forces of the pairs.
   KOKKOS_INLINE_FUNCTION void pull(int i) const {
     const double rate2 = state.central_rate2(i);
-    for (int d = 0; d < D; ++d)
-      state.template at<Acceleration>(i, d) -= rate2 * state.template at<Position>(i, d);
+    for (int d = 0; d < D; ++d) state.template at<Acceleration>(i, d) -= rate2 * state.template at<Position>(i, d);
   }
 };
 

@@ -8,13 +8,18 @@ namespace sphk {
 template <int n, class T>
 KOKKOS_INLINE_FUNCTION constexpr T power(T x) {
   static_assert(n >= 1);
-  if constexpr (n == 1) return x;
-  else if constexpr (n % 2 == 0) return power<n / 2>(x * x);
-  else return x * power<n - 1>(x);
+  if constexpr (n == 1)
+    return x;
+  else if constexpr (n % 2 == 0)
+    return power<n / 2>(x * x);
+  else
+    return x * power<n - 1>(x);
 }
 
 /// Products in power<n>.
-constexpr int power_flops(int n) { return n == 1 ? 0 : n % 2 == 0 ? 1 + power_flops(n / 2) : 1 + power_flops(n - 1); }
+constexpr int power_flops(int n) {
+  return n == 1 ? 0 : n % 2 == 0 ? 1 + power_flops(n / 2) : 1 + power_flops(n - 1);
+}
 
 /// max(edge - q, 0): a branch-free mask, since every positive power of it vanishes smoothly at the edge.
 template <class T>
@@ -46,6 +51,8 @@ KOKKOS_INLINE_FUNCTION T truncated_powers_w(T q, const InnerPowers& inner) {
 }
 
 /// Operations of truncated_powers<n>.
-constexpr int truncated_powers_flops(int n) { return 18 + 3 * power_flops(n - 1); }
+constexpr int truncated_powers_flops(int n) {
+  return 18 + 3 * power_flops(n - 1);
+}
 
 }  // namespace sphk

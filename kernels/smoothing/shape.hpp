@@ -21,8 +21,10 @@ struct Shape {
 /// another dw (HYDRA, the table) have a member of that name.
 template <class Kernel, class T>
 KOKKOS_INLINE_FUNCTION Shape<T> with_own_derivative(const Kernel& kernel, T q) {
-  if constexpr (requires { kernel.with_own_derivative(q); }) return kernel.with_own_derivative(q);
-  else return kernel(q);
+  if constexpr (requires { kernel.with_own_derivative(q); })
+    return kernel.with_own_derivative(q);
+  else
+    return kernel(q);
 }
 
 }  // namespace sphk

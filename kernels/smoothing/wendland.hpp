@@ -56,7 +56,8 @@ struct WendlandC4 {
   /// With s = 1-q the polynomial is (56 - 88 s + 35 s^2)/3.
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {
     return norm_from_moment(dimension, (56 * power_moment(6, dimension, 1) - 88 * power_moment(7, dimension, 1) +
-                                        35 * power_moment(8, dimension, 1)) / 3);
+                                        35 * power_moment(8, dimension, 1)) /
+                                           3);
   }
 
  private:

@@ -14,13 +14,13 @@ class RunLoop {
   enum class End { finished, stopped };
 
   struct Plan {
-    double end = 1;                   ///< code units
-    long steps = 0;                   ///< stop after so many; 0: no limit
-    long snapshots = 1;               ///< after the first, at equal intervals of time
-    std::vector<double> rows{};       ///< times of further rows of history.csv, rising
+    double end = 1;                     ///< code units
+    long steps = 0;                     ///< stop after so many; 0: no limit
+    long snapshots = 1;                 ///< after the first, at equal intervals of time
+    std::vector<double> rows{};         ///< times of further rows of history.csv, rising
     std::vector<HeatEvent> heatings{};  ///< in the order of their times
-    double checkpoint = 0;            ///< wall-clock seconds between checkpoints; 0: when it stops alone
-    double walltime = 0;              ///< wall-clock seconds of this process; 0: no limit
+    double checkpoint = 0;              ///< wall-clock seconds between checkpoints; 0: when it stops alone
+    double walltime = 0;                ///< wall-clock seconds of this process; 0: no limit
   };
 
   RunLoop(Simulation& simulation, RunOutput& output, Checkpoints& checkpoints, Progress& progress, Plan plan,

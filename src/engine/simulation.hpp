@@ -24,10 +24,10 @@ struct SimulationSettings {
   double viscosity_beta = 2;
   double alpha_entropy = 1, alpha_mass = 1;
   MassCorrection mass_correction = MassCorrection::donor;
-  double alpha_conductivity = 1;      ///< V10's alpha_u (scheme v10); 0: no conductivity
-  std::string conductivity = "price"; ///< its signal velocity: price | v1 | v2
-  bool balsara = true;                ///< Balsara's factor limits the viscosity of the classic schemes
-  double alpha_given = -1;  ///< of all particles; negative: the switch decides
+  double alpha_conductivity = 1;       ///< V10's alpha_u (scheme v10); 0: no conductivity
+  std::string conductivity = "price";  ///< its signal velocity: price | v1 | v2
+  bool balsara = true;                 ///< Balsara's factor limits the viscosity of the classic schemes
+  double alpha_given = -1;             ///< of all particles; negative: the switch decides
   double alpha_min = 0.2;
   double switch_noise = 0.05;
   bool balsara_limits_all = true;
@@ -100,8 +100,8 @@ class Simulation {
   /// Leading errors of the scheme's equations at the current state, by id: E0 (3), R and V (xx, yy, zz, xy, xz, yz; R10
   /// eq 28-30), EntropyContrast (largest |ln(A_i/A_j)| over neighbours) and NearestNeighbour (distance).
   virtual std::vector<Field> errors() const = 0;
-  /// All that the next steps depend on; a simulation made of the same scheme, settings, box and number of particles goes
-  /// on from it bit by bit, on the same number of threads. restore() throws InputError where it does not fit.
+  /// All that the next steps depend on; a simulation made of the same scheme, settings, box and number of particles
+  /// goes on from it bit by bit, on the same number of threads. restore() throws InputError where it does not fit.
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& state) = 0;
   /// Sentences the user should read once, such as particles whose neighbour number could not be met.

@@ -55,9 +55,10 @@ Counts glass_tile(const Counts& counts, int dimension) {
     for (int k = std::min(most, counts[axis]); tile[axis] == 1 && k > 1; --k)
       if (counts[axis] % k == 0) tile[axis] = k;
     if (tile[axis] < std::min(least, counts[axis]))
-      throw InputError(fmt::format("a glass of {} x {} x {} particles: copies of a tile of {} to {} cannot make {}; "
-                                   "take multiples of 16, or scene.lattice = \"cubic\"",
-                                   counts[0], counts[1], counts[2], least, most, counts[axis]));
+      throw InputError(
+          fmt::format("a glass of {} x {} x {} particles: copies of a tile of {} to {} cannot make {}; "
+                      "take multiples of 16, or scene.lattice = \"cubic\"",
+                      counts[0], counts[1], counts[2], least, most, counts[axis]));
   }
   return tile;
 }

@@ -62,8 +62,10 @@ void write_glass(const std::filesystem::path& file, int dimension, const Counts&
   out.write(reinterpret_cast<const char*>(&header), sizeof(header));
   out.write(reinterpret_cast<const char*>(points.data()), static_cast<std::streamsize>(points.size() * sizeof(Array3)));
   out.close();
-  if (out) std::filesystem::rename(partial, file, failed);
-  else std::filesystem::remove(partial, failed);
+  if (out)
+    std::filesystem::rename(partial, file, failed);
+  else
+    std::filesystem::remove(partial, failed);
 }
 
 }  // namespace sphk

@@ -10,7 +10,9 @@ namespace {
 using Triple = std::array<double, 3>;
 constexpr const char* names[] = {"v", "rho", "P"};
 
-double dot(const Array3& a, const Array3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Array3& a, const Array3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// Sums one error after the other into a norm.
 struct NormSum {
@@ -47,7 +49,9 @@ Array3 row(const Field& field, std::size_t i) {
 
 }  // namespace
 
-double radius(const Array3& x) { return std::sqrt(dot(x, x)); }
+double radius(const Array3& x) {
+  return std::sqrt(dot(x, x));
+}
 
 ProfileLine along_x(double from, double to) {
   return {[](const Array3& x) { return x[0]; }, [](const Array3&) { return Array3{1, 0, 0}; }, from, to};

@@ -12,14 +12,15 @@ namespace sphk {
 RiemannSolution::RiemannSolution(const TubeState& left, const TubeState& right, double gamma) : gamma_(gamma) {
   for (const TubeState& state : {left, right})
     if (!(state.rho > 0 && state.P > 0))
-      throw InputError(fmt::format("a shock tube needs positive densities and pressures, not rho = {}, P = {}",
-                                   state.rho, state.P));
+      throw InputError(
+          fmt::format("a shock tube needs positive densities and pressures, not rho = {}, P = {}", state.rho, state.P));
   left_ = {left, -1, std::sqrt(gamma * left.P / left.rho)};
   right_ = {right, 1, std::sqrt(gamma * right.P / right.rho)};
   if (2 / (gamma - 1) * (left_.c + right_.c) <= right.v - left.v)
-    throw InputError(fmt::format("the two halves of the shock tube part at {}, which opens a vacuum between them; it "
-                                 "must be less than 2 (c_left + c_right) / (gamma - 1) = {}",
-                                 right.v - left.v, 2 / (gamma - 1) * (left_.c + right_.c)));
+    throw InputError(
+        fmt::format("the two halves of the shock tube part at {}, which opens a vacuum between them; it "
+                    "must be less than 2 (c_left + c_right) / (gamma - 1) = {}",
+                    right.v - left.v, 2 / (gamma - 1) * (left_.c + right_.c)));
   P_star_ = solve_P_star();
   double unused = 0;
   v_star_ = (left.v + right.v + velocity_change(right_, P_star_, unused) - velocity_change(left_, P_star_, unused)) / 2;
@@ -43,7 +44,8 @@ double RiemannSolution::velocity_change(const Side& side, double P, double& slop
 double RiemannSolution::solve_P_star() const {
   const double z = (gamma_ - 1) / (2 * gamma_), dv = right_.state.v - left_.state.v;
   double P = std::pow((left_.c + right_.c - (gamma_ - 1) / 2 * dv) /
-                          (left_.c / std::pow(left_.state.P, z) + right_.c / std::pow(right_.state.P, z)), 1 / z);
+                          (left_.c / std::pow(left_.state.P, z) + right_.c / std::pow(right_.state.P, z)),
+                      1 / z);
   for (int iteration = 0; iteration < 100; ++iteration) {
     double slope_left = 0, slope_right = 0;
     const double f = velocity_change(left_, P, slope_left) + velocity_change(right_, P, slope_right) + dv;
@@ -82,10 +84,20 @@ TubeState RiemannSolution::behind(const Side& side, double xi) const {
   return {rho, v, side.state.P * std::pow(c / side.c, 2 * gamma_ / (gamma_ - 1))};
 }
 
-TubeState RiemannSolution::at(double xi) const { return behind(xi < v_star_ ? left_ : right_, xi); }
-double RiemannSolution::rho_star_left() const { return rho_star(left_); }
-double RiemannSolution::rho_star_right() const { return rho_star(right_); }
-double RiemannSolution::left_front() const { return front(left_); }
-double RiemannSolution::right_front() const { return front(right_); }
+TubeState RiemannSolution::at(double xi) const {
+  return behind(xi < v_star_ ? left_ : right_, xi);
+}
+double RiemannSolution::rho_star_left() const {
+  return rho_star(left_);
+}
+double RiemannSolution::rho_star_right() const {
+  return rho_star(right_);
+}
+double RiemannSolution::left_front() const {
+  return front(left_);
+}
+double RiemannSolution::right_front() const {
+  return front(right_);
+}
 
 }  // namespace sphk

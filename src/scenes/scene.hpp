@@ -39,7 +39,7 @@ struct PlotHint {
   double from = 0, to = 1;
   Array3 centre{};    ///< at t = 0
   Array3 velocity{};  ///< of the centre; the pictures' velocities are relative to it
-  bool map = false;  ///< also a slice through the density; always drawn in 2D and around a centre
+  bool map = false;   ///< also a slice through the density; always drawn in 2D and around a centre
 };
 
 /// A named test problem: defaults, initial condition, exact solution, what it measures.

@@ -65,7 +65,8 @@ GasState SedovSolution::behind_shock(double r, double E, double rho_0, double t)
   const double b = place - double(k), a = 1 - b;
   const Profile &outer = table_[k], &inner = table_[k + 1];
   const double lambda_U = place < steps - 1 ? a * outer.U + b * inner.U : inner.U * r / R * std::exp(steps * log_step);
-  return {rho_0 * (a * outer.G + b * inner.G), {shock_speed * lambda_U, 0, 0},
+  return {rho_0 * (a * outer.G + b * inner.G),
+          {shock_speed * lambda_U, 0, 0},
           rho_0 * shock_speed * shock_speed * (a * outer.Pi + b * inner.Pi)};
 }
 

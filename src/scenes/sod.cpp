@@ -40,7 +40,8 @@ Tube tube_of(const Settings& settings) {
   const bool equal = has_equal_masses(settings);
   const int step = !equal ? 1 : only_along ? ratio : 2;
   if (n % step != 0) throw InputError(fmt::format("scene.n = {}: this tube needs a multiple of {}", n, step));
-  if (equal && across % 2 != 0) throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
+  if (equal && across % 2 != 0)
+    throw InputError(fmt::format("scene.across = {}: this tube needs an even number", across));
 
   Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}, .left_block = {}, .right_block = {}};
   if (v10) tube.right = {0.25, 0, 1.0 / 6};  // u = 1 with gamma 5/3
@@ -85,12 +86,17 @@ class Sod : public Scene {
   std::string summary() const override { return summary_; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.variant", .value = std::string("s12"),
+    settings.declare({.name = "scene.variant",
+                      .value = std::string("s12"),
                       .doc = "states: s12 (gamma 5/3), r10 (gamma 1.4), v10 (2D, density ratio 4)",
                       .choices = {"s12", "r10", "v10"}});
     declare_resolution(settings, 64, "dense particles per unit length (S12's N1D is 3/4 of it)");
-    settings.declare({.name = "scene.across", .value = std::int64_t{32}, .doc = "dense particles across the tube",
-                      .choices = {}, .min = 2, .max = 10000});
+    settings.declare({.name = "scene.across",
+                      .value = std::int64_t{32},
+                      .doc = "dense particles across the tube",
+                      .choices = {},
+                      .min = 2,
+                      .max = 10000});
     declare_dimension(settings, 3);
     declare_arrangement(settings, "glass");
     declare_masses(settings, masses_);
@@ -104,8 +110,10 @@ class Sod : public Scene {
     prefer_unless_set(settings, "sph.gamma", variant == "r10" ? 1.4 : 5.0 / 3);
     const int D = scene_dimension(settings);
     if (variant == "v10") prefer_as_v10(settings);
-    if (D == 2) prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
-    else prefer_usual_kernel(settings, D);
+    if (D == 2)
+      prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
+    else
+      prefer_usual_kernel(settings, D);
   }
 
   ParticleSet build(const Settings& settings) const override {

@@ -56,8 +56,8 @@ std::vector<OtherPoint> read_others(const std::filesystem::path& path) {
     points.push_back({text("engine"), text("setting"), positive("error"), positive("cpu_seconds"), text("machine")});
   }
   if (columns.empty())
-    throw InputError(fmt::format("{} holds no table; its first line is: engine,setting,error,cpu_seconds,machine",
-                                 path.string()));
+    throw InputError(
+        fmt::format("{} holds no table; its first line is: engine,setting,error,cpu_seconds,machine", path.string()));
   return points;
 }
 

@@ -50,8 +50,8 @@ struct Expectation {
 /// Interpolated in log(seconds) between a method's runs; beyond the dearest one by at most a factor 60. Nothing where
 /// the method has no run so cheap.
 std::optional<Expectation> error_within(const std::vector<StudyResult>& of_one_method, double cpu);
-/// The method with the smallest such error, of those with a run of at least half that time; where there is none, of those
-/// with the dearest runs: extrapolations flatter.
+/// The method with the smallest such error, of those with a run of at least half that time; where there is none, of
+/// those with the dearest runs: extrapolations flatter.
 std::optional<Expectation> best_within(const std::vector<StudyResult>& results, double cpu);
 
 /// Results without failure, by method, in the order of first appearance; each by rising cost.

@@ -123,7 +123,8 @@ TEST_F(RunLoopTest, FurtherRowsOfTheHistoryComeWithoutSnapshots) {
 
 TEST_F(RunLoopTest, HeatComesAtItsTimeAndOnce) {
   Clock clock(0.07);
-  run(clock, {.end = 1, .steps = 0, .snapshots = 2, .rows = {0.1}, .heatings = {{0, {}, 1}, {0.3, {}, 2}, {0.5, {}, 4}}});
+  run(clock,
+      {.end = 1, .steps = 0, .snapshots = 2, .rows = {0.1}, .heatings = {{0, {}, 1}, {0.3, {}, 2}, {0.5, {}, 4}}});
   EXPECT_EQ(clock.heat_times, (std::vector<double>{0, 0.3, 0.5}));
   EXPECT_EQ(clock.heated, 7);
   EXPECT_EQ(times(), (std::vector<double>{0, 0.1, 0.5, 1})) << "heat makes no row of its own";

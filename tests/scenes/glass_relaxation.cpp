@@ -53,8 +53,10 @@ TEST(GlassRelaxation, FillsBlocks) {
   setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
   const Block block{.dimension = 2, .counts = {32, 16, 1}, .lower = {-1, 0, 0}, .size = {2, 1, 1}};
   const auto x = arranged_points(block, "glass");
-  if (before) setenv("XDG_CACHE_HOME", kept.c_str(), 1);
-  else unsetenv("XDG_CACHE_HOME");
+  if (before)
+    setenv("XDG_CACHE_HOME", kept.c_str(), 1);
+  else
+    unsetenv("XDG_CACHE_HOME");
   ASSERT_EQ(x.size(), 512u);
   for (const Array3& p : x) EXPECT_TRUE(p[0] >= -1 && p[0] < 1 && p[1] >= 0 && p[1] < 1 && p[2] == 0);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "sphk" / "glass-2d-32x16-v1.bin"));

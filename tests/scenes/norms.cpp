@@ -7,7 +7,9 @@
 namespace sphk {
 namespace {
 
-GasState at_rest(const Array3&, double) { return {1, {}, 1}; }
+GasState at_rest(const Array3&, double) {
+  return {1, {}, 1};
+}
 
 // Bin 1 of [0, 0.02): particles with v 1 and 3, mean 2; bin 2: v = -1 alone. Mean |error| = (2 + 1)/2, over particles
 // (1 + 3 + 1)/3. The particle at 0.5 lies outside.

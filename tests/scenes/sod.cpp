@@ -33,8 +33,10 @@ TEST(Sod, VariantsHaveTheirStatesAndEqualMasses) {
       {"v10", "1", "glass", 5.0 / 3, 1.25, 20},
   };
   for (const Variant& variant : variants) {
-    const Settings settings = settings_of(sod_scene(), {{"scene.variant", variant.name}, {"scene.n", "16"},
-                                                        {"scene.dimension", variant.dimension}, {"scene.across", "4"},
+    const Settings settings = settings_of(sod_scene(), {{"scene.variant", variant.name},
+                                                        {"scene.n", "16"},
+                                                        {"scene.dimension", variant.dimension},
+                                                        {"scene.across", "4"},
                                                         {"scene.lattice", variant.lattice}});
     const ParticleSet gas = sod_scene().build(settings);
     EXPECT_EQ(settings.real("sph.gamma"), variant.gamma) << variant.name;
@@ -54,9 +56,11 @@ TEST(Sod, ChoosesTheDimensionAndNeighboursOfTheVariant) {
 // S12 sec 7.2: one lattice, 2 x 16 x 4 x 4 particles, and the masses carry the density ratio of 8; so does V10's, of 4.
 TEST(Sod, MultimassTubeIsEvenlySpaced) {
   const auto tube = [](const char* variant, const char* dimension) {
-    return sod_multimass_scene().build(
-        settings_of(sod_multimass_scene(), {{"scene.n", "16"}, {"scene.across", "4"}, {"scene.lattice", "cubic"},
-                                            {"scene.variant", variant}, {"scene.dimension", dimension}}));
+    return sod_multimass_scene().build(settings_of(sod_multimass_scene(), {{"scene.n", "16"},
+                                                                           {"scene.across", "4"},
+                                                                           {"scene.lattice", "cubic"},
+                                                                           {"scene.variant", variant},
+                                                                           {"scene.dimension", dimension}}));
   };
   const ParticleSet gas = tube("s12", "3");
   ASSERT_EQ(gas.size(), 512u);

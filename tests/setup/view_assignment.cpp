@@ -1,5 +1,5 @@
-#include <Kokkos_Core.hpp>
 #include <gtest/gtest.h>
+#include <Kokkos_Core.hpp>
 
 // Kokkos 4.5 and 4.6 crash here when GCC 12 compiles them: a default-constructed View, then assignment.
 TEST(ViewAssignment, DefaultConstructedViewTakesAnother) {

@@ -25,5 +25,6 @@ int main(int argc, char** argv) {
   for (int k = 0; k < 10; ++k) simulation->step(1.0);
   const double drift = std::abs(simulation->totals().energy() / energy - 1);
   std::printf("time %g, energy drift %g\n", simulation->time(), drift);
-  return simulation->time() > 0 && drift < 2.5e-5 ? 0 : 1;  // less than the wave's share of the energy, <v^2>/2 = 2.5e-5
+  return simulation->time() > 0 && drift < 2.5e-5 ? 0
+                                                  : 1;  // less than the wave's share of the energy, <v^2>/2 = 2.5e-5
 }
