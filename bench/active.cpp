@@ -42,7 +42,7 @@ std::vector<bool> choose_active(const RunOf<S::Layout>& run, double every, Where
 void active_step(benchmark::State& state, Where where) {
   SimulationSettings settings;
   settings.neighbours = 442;
-  settings.individual_steps = true;
+  settings.steps = own_steps;
   settings.courant = 0.2;
   const SmoothingOf<S> smoothing(Hoct<4>{});
   auto run = load_run<S>(shaken_box(64), settings, smoothing);

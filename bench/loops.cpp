@@ -40,7 +40,8 @@ void cells(benchmark::State& state) {
 template <class S>
 void density_loop(benchmark::State& state, double neighbours) {
   auto run = loaded<S>(64, neighbours);
-  for (auto _ : state) find_support(State<S>{run.state.template as<typename S::Layout>(), smoothing<S>}, 1e-2);
+  for (auto _ : state)
+    find_support(State<S>{run.state.template as<typename S::Layout>(), smoothing<S>}, run.given, 1e-2);
   constexpr double flops = flops_of_search<S> + flops_of_density_terms<S>;
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }
@@ -62,12 +63,12 @@ void rates_loop(benchmark::State& state, double neighbours) {
   report(state, run.state.n, neighbours, flops, is_mixed<S>);
 }
 
-using Classic48 = Gadget2<3, CubicSpline, float>;
-using Classic48Double = Gadget2<3, CubicSpline, double>;
-using Hoct442 = SphEntropy<3, Hoct<4>, float>;
-using Hoct442Double = SphEntropy<3, Hoct<4>, double>;
-using Sphs442 = Sphs<3, Hoct<4>, float>;
-using Sphs442Double = Sphs<3, Hoct<4>, double>;
+using Classic48 = Scheme<Gadget2::Entropy, 3, CubicSpline, float>;
+using Classic48Double = Scheme<Gadget2::Entropy, 3, CubicSpline, double>;
+using Hoct442 = Scheme<Sph::Entropy, 3, Hoct<4>, float>;
+using Hoct442Double = Scheme<Sph::Entropy, 3, Hoct<4>, double>;
+using Sphs442 = Scheme<Sphs::EqualEntropy, 3, Hoct<4>, float>;
+using Sphs442Double = Scheme<Sphs::EqualEntropy, 3, Hoct<4>, double>;
 
 const auto registered = [] {
   const auto add = [](const char* name, auto function, auto... arguments) {

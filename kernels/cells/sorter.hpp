@@ -92,7 +92,7 @@ struct OrderBlock {
 };
 
 struct PermuteRows {
-  Numbers from, to;
+  ColumnNumbers from, to;
   int rows, stride;
   RadixSort::Indices indices;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
@@ -138,7 +138,7 @@ class Sorter {
   }
 
   /// `rows`: the numbers of the columns, each row `stride` long.
-  void operator()(Numbers& rows, int stride, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
+  void operator()(ColumnNumbers& rows, int stride, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
     const int n = static_cast<int>(ids.extent(0));
     if (n == 0) return;
     const Kokkos::RangePolicy<ExecutionSpace> particles(0, n);
@@ -163,7 +163,7 @@ class Sorter {
 
  private:
   RadixSort sort_;
-  Numbers other_;
+  ColumnNumbers other_;
   Ids other_ids_;
 };
 

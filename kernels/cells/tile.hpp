@@ -16,9 +16,9 @@ struct Frame {
 
   template <class F>
   KOKKOS_FORCEINLINE_FUNCTION double reference(int component) const {
-    if constexpr (std::is_same_v<F, Position>)
+    if constexpr (F::facts.relative == Relative::place)
       return x[component];
-    else if constexpr (std::is_same_v<F, Velocity>)
+    else if constexpr (F::facts.relative == Relative::motion)
       return v[component];
     else
       return 0;

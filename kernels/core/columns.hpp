@@ -14,7 +14,7 @@ using MemorySpace = ExecutionSpace::memory_space;
 inline constexpr int sub_cell_size = 8;
 
 /// One number type of view for all columns keeps the compile time of copies down.
-using Numbers = Kokkos::View<double*, MemorySpace>;
+using ColumnNumbers = Kokkos::View<double*, MemorySpace>;
 using HostNumbers = Kokkos::View<double*, Kokkos::HostSpace>;
 
 /// Particle state as structure of arrays: one row of doubles per component, padded so that any sub-cell can be read
@@ -24,11 +24,11 @@ struct Columns {
   using Fields = FieldList;
   static constexpr int dimension = D;
   static constexpr int size = component_count<D, Fields>;
-  Numbers data;  ///< component c of particle i is data(c * stride + i)
+  ColumnNumbers data;  ///< component c of particle i is data(c * stride + i)
   int stride = 0;
 
   Columns() = default;
-  Columns(const Numbers& rows, int row_length) : data(rows), stride(row_length) {}
+  Columns(const ColumnNumbers& rows, int row_length) : data(rows), stride(row_length) {}
   Columns(const std::string& label, int n)
       : data(label, static_cast<std::size_t>(size) * padded(n)), stride(padded(n)) {}
 

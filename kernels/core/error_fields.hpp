@@ -8,7 +8,9 @@ namespace sphk {
 
 /// Entropy function A = P / rho^gamma.
 struct Entropy {
-  static constexpr const char* name = "Entropies";
+  static constexpr FieldFacts facts{.name = "Entropies",
+                                    .description = "Entropy function A = P / rho^gamma",
+                                    .unit = {.length = 2, .time = -2, .adiabatic = 1}};
   template <class T, int D>
   struct Value {
     T A;
@@ -21,7 +23,10 @@ inline constexpr int symmetric_size = D*(D + 1) / 2;
 
 /// E0_i, the zeroth-order error of the momentum equation: dv_i/dt = - P E0_i / (h_i rho_i) where P is even (R10 eq 28).
 struct ErrorE0 {
-  static constexpr const char* name = "E0";
+  static constexpr FieldFacts facts{.name = "E0",
+                                    .description = "Zeroth-order error of the force (R10 eq 28)",
+                                    .rank = Rank::vector,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, D> E0;
@@ -31,7 +36,10 @@ struct ErrorE0 {
 /// R_i, the error matrix of the continuity equation, 1 where it is exact to first order (R10 eq 29): xx, yy, zz, xy,
 /// xz, yz, those that there are.
 struct ErrorR {
-  static constexpr const char* name = "R";
+  static constexpr FieldFacts facts{.name = "R",
+                                    .description = "Error matrix of the continuity equation (R10 eq 29)",
+                                    .rank = Rank::matrix,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, symmetric_size<D>> R;
@@ -40,7 +48,10 @@ struct ErrorR {
 
 /// V_i, that of the momentum equation's pressure gradient, in the same order.
 struct ErrorV {
-  static constexpr const char* name = "V";
+  static constexpr FieldFacts facts{.name = "V",
+                                    .description = "Error matrix of the momentum equation (R10 eq 29)",
+                                    .rank = Rank::matrix,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, symmetric_size<D>> V;
@@ -49,8 +60,10 @@ struct ErrorV {
 
 /// max |ln(A_i/A_j)| over neighbours with r < h_i: large where fluids meet.
 struct EntropyContrast {
-  static constexpr const char* name = "EntropyContrast";
-  static constexpr bool is_maximum = true;
+  static constexpr FieldFacts facts{.name = "EntropyContrast",
+                                    .description = "Largest |ln(A_i/A_j)| over neighbours with r < h",
+                                    .shown = Shown::in_rates,
+                                    .maximum = true};
   template <class T, int D>
   struct Value {
     T contrast;
@@ -59,8 +72,10 @@ struct EntropyContrast {
 
 /// 1/r of the nearest neighbour apart from coincident ones; 0 where there is none within h_i.
 struct InverseNearest {
-  static constexpr const char* name = "InverseNearest";
-  static constexpr bool is_maximum = true;
+  static constexpr FieldFacts facts{.name = "InverseNearest",
+                                    .description = "1/r of the nearest neighbour; 0: none within h",
+                                    .unit = {.length = -1},
+                                    .maximum = true};
   template <class T, int D>
   struct Value {
     T nearest_inv;

@@ -1,15 +1,20 @@
 #pragma once
 
+#include "kernels/core/field_facts.hpp"
 #include "kernels/core/type_list.hpp"
 #include "kernels/core/vec.hpp"
 
 namespace sphk {
 
-/// A field is a tag with a member template `Value<T, D>` that holds its symbol, as a number, a pack or a vector of
-/// them. Powers of length, mass and time in its unit are given for 3D.
+// A field is a tag: its facts, and a member template `Value<T, D>` that holds its symbol, as a number, a pack or a
+// vector of them.
+
 struct Position {
-  static constexpr const char* name = "Coordinates";
-  static constexpr bool relative = true;  ///< pair loops hold it relative to a nearby origin
+  static constexpr FieldFacts facts{.name = "Coordinates",
+                                    .description = "Position",
+                                    .unit = {.length = 1},
+                                    .rank = Rank::vector,
+                                    .relative = Relative::place};
   template <class T, int D>
   struct Value {
     Vec<T, D> x;
@@ -18,7 +23,10 @@ struct Position {
 
 /// x_i - x_j of the pair that a particle is the j of.
 struct Separation {
-  static constexpr const char* name = "Separations";
+  static constexpr FieldFacts facts{.name = "Separations",
+                                    .description = "x_i - x_j of the pair that a particle is the j of",
+                                    .unit = {.length = 1},
+                                    .rank = Rank::vector};
   template <class T, int D>
   struct Value {
     Vec<T, D> r_ij;
@@ -27,7 +35,7 @@ struct Separation {
 
 /// |x_i - x_j|^2.
 struct Distance2 {
-  static constexpr const char* name = "SquaredDistances";
+  static constexpr FieldFacts facts{.name = "SquaredDistances", .description = "|x_i - x_j|^2", .unit = {.length = 2}};
   template <class T, int D>
   struct Value {
     T r2;
@@ -36,8 +44,11 @@ struct Distance2 {
 
 /// Velocity at the current time (predicted between the two kicks).
 struct Velocity {
-  static constexpr const char* name = "Velocities";
-  static constexpr bool relative = true;
+  static constexpr FieldFacts facts{.name = "Velocities",
+                                    .description = "Velocity",
+                                    .unit = {.length = 1, .time = -1},
+                                    .rank = Rank::vector,
+                                    .relative = Relative::motion};
   template <class T, int D>
   struct Value {
     Vec<T, D> v;
@@ -46,7 +57,10 @@ struct Velocity {
 
 /// Velocity at the middle of the step (kick-drift-kick).
 struct HalfStepVelocity {
-  static constexpr const char* name = "HalfStepVelocities";
+  static constexpr FieldFacts facts{.name = "HalfStepVelocities",
+                                    .description = "Velocity at the middle of the step",
+                                    .unit = {.length = 1, .time = -1},
+                                    .rank = Rank::vector};
   template <class T, int D>
   struct Value {
     Vec<T, D> v_half;
@@ -54,7 +68,7 @@ struct HalfStepVelocity {
 };
 
 struct Mass {
-  static constexpr const char* name = "Masses";
+  static constexpr FieldFacts facts{.name = "Masses", .description = "Mass", .unit = {.mass = 1}};
   template <class T, int D>
   struct Value {
     T m;
@@ -63,7 +77,7 @@ struct Mass {
 
 /// The thermal variable that the scheme integrates: the entropy function A = P / rho^gamma or the specific energy u.
 struct Thermal {
-  static constexpr const char* name = "Thermal";
+  static constexpr FieldFacts facts{.name = "Thermal", .description = "A or u, whichever is integrated"};
   template <class T, int D>
   struct Value {
     T s;
@@ -71,7 +85,7 @@ struct Thermal {
 };
 
 struct HalfStepThermal {
-  static constexpr const char* name = "HalfStepThermal";
+  static constexpr FieldFacts facts{.name = "HalfStepThermal", .description = "A or u at the middle of the step"};
   template <class T, int D>
   struct Value {
     T s_half;
@@ -80,7 +94,7 @@ struct HalfStepThermal {
 
 /// d(thermal variable)/dt.
 struct ThermalRate {
-  static constexpr const char* name = "ThermalRate";
+  static constexpr FieldFacts facts{.name = "ThermalRate", .description = "d/dt of A or u"};
   template <class T, int D>
   struct Value {
     T ds;
@@ -89,7 +103,10 @@ struct ThermalRate {
 
 /// Support radius: the kernel is zero for r >= h.
 struct Support {
-  static constexpr const char* name = "SmoothingLength";
+  static constexpr FieldFacts facts{.name = "SmoothingLength",
+                                    .description = "Support radius: W = 0 for r >= h",
+                                    .unit = {.length = 1},
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     T h;
@@ -97,7 +114,7 @@ struct Support {
 };
 
 struct InverseSupport {
-  static constexpr const char* name = "InverseSmoothingLength";
+  static constexpr FieldFacts facts{.name = "InverseSmoothingLength", .description = "1/h", .unit = {.length = -1}};
   template <class T, int D>
   struct Value {
     T h_inv;
@@ -106,7 +123,8 @@ struct InverseSupport {
 
 /// n_i = sum_j W(r_ij, h_i), self included (S12 eq 11).
 struct NumberDensity {
-  static constexpr const char* name = "NumberDensities";
+  static constexpr FieldFacts facts{
+      .name = "NumberDensities", .description = "n_i = sum_j W(r_ij, h_i)", .unit = {.volume = -1}};
   template <class T, int D>
   struct Value {
     T n;
@@ -115,7 +133,8 @@ struct NumberDensity {
 
 /// dn/dh at fixed positions.
 struct NumberDensitySlope {
-  static constexpr const char* name = "NumberDensitySlopes";
+  static constexpr FieldFacts facts{
+      .name = "NumberDensitySlopes", .description = "dn/dh at fixed positions", .unit = {.length = -1, .volume = -1}};
   template <class T, int D>
   struct Value {
     T dn_dh;
@@ -124,7 +143,11 @@ struct NumberDensitySlope {
 
 /// rho_i = sum_j m_j W(r_ij, h_i) (S12 eq 6).
 struct Density {
-  static constexpr const char* name = "Densities";
+  static constexpr FieldFacts facts{.name = "Densities",
+                                    .description = "Density, sum of m_j W(r_ij, h_i)",
+                                    .unit = {.mass = 1, .volume = -1},
+                                    .shown = Shown::in_rates,
+                                    .singular = "Density"};
   template <class T, int D>
   struct Value {
     T rho;
@@ -132,7 +155,9 @@ struct Density {
 };
 
 struct DensitySlope {
-  static constexpr const char* name = "DensitySlopes";
+  static constexpr FieldFacts facts{.name = "DensitySlopes",
+                                    .description = "drho/dh at fixed positions",
+                                    .unit = {.length = -1, .mass = 1, .volume = -1}};
   template <class T, int D>
   struct Value {
     T drho_dh;
@@ -140,7 +165,8 @@ struct DensitySlope {
 };
 
 struct InverseDensity {
-  static constexpr const char* name = "InverseDensities";
+  static constexpr FieldFacts facts{
+      .name = "InverseDensities", .description = "1/rho", .unit = {.mass = -1, .volume = 1}};
   template <class T, int D>
   struct Value {
     T rho_inv;
@@ -148,7 +174,8 @@ struct InverseDensity {
 };
 
 struct Pressure {
-  static constexpr const char* name = "Pressures";
+  static constexpr FieldFacts facts{
+      .name = "Pressures", .description = "Pressure", .unit = {.length = 2, .mass = 1, .time = -2, .volume = -1}};
   template <class T, int D>
   struct Value {
     T P;
@@ -157,7 +184,9 @@ struct Pressure {
 
 /// P / rho^2.
 struct PressureOverDensity2 {
-  static constexpr const char* name = "PressuresOverDensities2";
+  static constexpr FieldFacts facts{.name = "PressuresOverDensities2",
+                                    .description = "P/rho^2",
+                                    .unit = {.length = 2, .mass = -1, .time = -2, .volume = 1}};
   template <class T, int D>
   struct Value {
     T P_rho2;
@@ -166,7 +195,8 @@ struct PressureOverDensity2 {
 
 /// z of the conservative momentum equation for any masses (EQUATIONS, Momentum): the term that h's gradient adds to m.
 struct GradHMass {
-  static constexpr const char* name = "GradHMasses";
+  static constexpr FieldFacts facts{
+      .name = "GradHMasses", .description = "z of the conservative forces", .unit = {.mass = 1}};
   template <class T, int D>
   struct Value {
     T z;
@@ -174,7 +204,8 @@ struct GradHMass {
 };
 
 struct SoundSpeed {
-  static constexpr const char* name = "SoundSpeeds";
+  static constexpr FieldFacts facts{
+      .name = "SoundSpeeds", .description = "Speed of sound", .unit = {.length = 1, .time = -1}};
   template <class T, int D>
   struct Value {
     T c;
@@ -182,7 +213,8 @@ struct SoundSpeed {
 };
 
 struct VelocityDivergence {
-  static constexpr const char* name = "VelocityDivergence";
+  static constexpr FieldFacts facts{
+      .name = "VelocityDivergence", .description = "div v", .unit = {.time = -1}, .shown = Shown::in_snapshots};
   template <class T, int D>
   struct Value {
     T div_v;
@@ -190,7 +222,11 @@ struct VelocityDivergence {
 };
 
 struct VelocityCurl {
-  static constexpr const char* name = "VelocityCurl";
+  static constexpr FieldFacts facts{.name = "VelocityCurl",
+                                    .description = "curl v",
+                                    .unit = {.time = -1},
+                                    .rank = Rank::axial,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, curl_size<D>> curl_v;
@@ -199,7 +235,8 @@ struct VelocityCurl {
 
 /// Balsara's factor |div v| / (|div v| + |curl v| + 1e-4 c/h) (S12 eq 32).
 struct Balsara {
-  static constexpr const char* name = "BalsaraFactors";
+  static constexpr FieldFacts facts{
+      .name = "BalsaraFactors", .description = "Balsara factor", .shown = Shown::in_snapshots};
   template <class T, int D>
   struct Value {
     T balsara;
@@ -208,7 +245,11 @@ struct Balsara {
 
 /// grad(div v).
 struct GradVelocityDivergence {
-  static constexpr const char* name = "GradVelocityDivergence";
+  static constexpr FieldFacts facts{.name = "GradVelocityDivergence",
+                                    .description = "grad(div v)",
+                                    .unit = {.length = -1, .time = -1},
+                                    .rank = Rank::vector,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, D> grad_div_v;
@@ -217,7 +258,9 @@ struct GradVelocityDivergence {
 
 /// alpha of the convergence switch (S12 eq 21-23), in [0, 1], before Balsara's factor.
 struct Alpha {
-  static constexpr const char* name = "Alpha";
+  static constexpr FieldFacts facts{.name = "Alpha",
+                                    .description = "Dissipation switch (S12 eq 21-23), before Balsara's factor",
+                                    .shown = Shown::in_snapshots};
   template <class T, int D>
   struct Value {
     T alpha;
@@ -226,7 +269,7 @@ struct Alpha {
 
 /// alpha_i as the viscosity uses it, with Balsara's factor.
 struct ViscosityAlpha {
-  static constexpr const char* name = "ViscosityAlpha";
+  static constexpr FieldFacts facts{.name = "ViscosityAlpha", .description = "alpha of the viscosity"};
   template <class T, int D>
   struct Value {
     T alpha_v;
@@ -235,7 +278,8 @@ struct ViscosityAlpha {
 
 /// alpha_i as the dissipation of entropy and mass uses it.
 struct DissipationAlpha {
-  static constexpr const char* name = "DissipationAlpha";
+  static constexpr FieldFacts facts{.name = "DissipationAlpha",
+                                    .description = "alpha of the dissipation of entropy and mass"};
   template <class T, int D>
   struct Value {
     T alpha_d;
@@ -243,7 +287,8 @@ struct DissipationAlpha {
 };
 
 struct HalfStepMass {
-  static constexpr const char* name = "HalfStepMasses";
+  static constexpr FieldFacts facts{
+      .name = "HalfStepMasses", .description = "Mass at the middle of the step", .unit = {.mass = 1}};
   template <class T, int D>
   struct Value {
     T m_half;
@@ -252,7 +297,10 @@ struct HalfStepMass {
 
 /// dm/dt by mass dissipation.
 struct MassRate {
-  static constexpr const char* name = "MassRate";
+  static constexpr FieldFacts facts{.name = "MassRate",
+                                    .description = "dm/dt by mass dissipation",
+                                    .unit = {.mass = 1, .time = -1},
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     T dm;
@@ -261,7 +309,10 @@ struct MassRate {
 
 /// Momentum that exchanged mass brings, against the velocity of the particle that gains it.
 struct MassMomentum {
-  static constexpr const char* name = "MassMomentumRate";
+  static constexpr FieldFacts facts{.name = "MassMomentumRate",
+                                    .description = "Momentum of exchanged mass",
+                                    .unit = {.length = 1, .mass = 1, .time = -2},
+                                    .rank = Rank::vector};
   template <class T, int D>
   struct Value {
     Vec<T, D> dm_v;
@@ -270,7 +321,9 @@ struct MassMomentum {
 
 /// Energy that exchanged mass brings, against the energy of the particle that gains it.
 struct MassEnergy {
-  static constexpr const char* name = "MassEnergyRate";
+  static constexpr FieldFacts facts{.name = "MassEnergyRate",
+                                    .description = "Energy of exchanged mass",
+                                    .unit = {.length = 2, .mass = 1, .time = -3}};
   template <class T, int D>
   struct Value {
     T dm_e;
@@ -279,7 +332,9 @@ struct MassEnergy {
 
 /// sum_j (dm_j/dt) W(r_ij, h_i): how the exchange of mass changes the density.
 struct MassDensityRate {
-  static constexpr const char* name = "MassDensityRate";
+  static constexpr FieldFacts facts{.name = "MassDensityRate",
+                                    .description = "drho/dt by exchanged mass",
+                                    .unit = {.mass = 1, .time = -1, .volume = -1}};
   template <class T, int D>
   struct Value {
     T dm_W;
@@ -287,7 +342,11 @@ struct MassDensityRate {
 };
 
 struct Acceleration {
-  static constexpr const char* name = "Acceleration";
+  static constexpr FieldFacts facts{.name = "Acceleration",
+                                    .description = "dv/dt of all terms",
+                                    .unit = {.length = 1, .time = -2},
+                                    .rank = Rank::vector,
+                                    .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     Vec<T, D> a;
@@ -296,7 +355,8 @@ struct Acceleration {
 
 /// du/dt by dissipation and, where the scheme integrates u, by compression.
 struct Heating {
-  static constexpr const char* name = "Heating";
+  static constexpr FieldFacts facts{
+      .name = "Heating", .description = "du/dt of all terms", .unit = {.length = 2, .time = -3}};
   template <class T, int D>
   struct Value {
     T du;
@@ -305,8 +365,10 @@ struct Heating {
 
 /// Largest signal velocity over the neighbours, at least 2 c_i (the self pair).
 struct MaxSignalVelocity {
-  static constexpr const char* name = "MaxSignalVelocities";
-  static constexpr bool is_maximum = true;
+  static constexpr FieldFacts facts{.name = "MaxSignalVelocities",
+                                    .description = "Largest signal velocity",
+                                    .unit = {.length = 1, .time = -1},
+                                    .maximum = true};
   template <class T, int D>
   struct Value {
     T v_sig;
@@ -315,7 +377,8 @@ struct MaxSignalVelocity {
 
 /// Neighbours with r < h_i, self included.
 struct NeighbourCount {
-  static constexpr const char* name = "NeighbourCount";
+  static constexpr FieldFacts facts{
+      .name = "NeighbourCount", .description = "Neighbours with r < h, self included", .shown = Shown::in_rates};
   template <class T, int D>
   struct Value {
     T count;

@@ -43,14 +43,14 @@ struct Filtered {
   using type = Union<std::conditional_t<Keep<Ts>::value, List<Ts>, List<>>...>;
 };
 template <class L, template <class> class Keep>
-struct Filter;
+struct FilterOf;
 template <class... Ts, template <class> class Keep>
-struct Filter<List<Ts...>, Keep> : Filtered<Keep, Ts...> {};
+struct FilterOf<List<Ts...>, Keep> : Filtered<Keep, Ts...> {};
 }  // namespace detail
 
 /// The types of list L for which Keep<T>::value holds.
 template <class L, template <class> class Keep>
-using Filter = typename detail::Filter<L, Keep>::type;
+using Filter = typename detail::FilterOf<L, Keep>::type;
 
 /// Calls f.template operator()<T>() for every T of the list.
 template <class... Ts, class F>

@@ -10,16 +10,6 @@ namespace sphk {
 template <class F, int D>
 inline constexpr int components = static_cast<int>(sizeof(typename F::template Value<double, D>) / sizeof(double));
 
-template <class F>
-inline constexpr bool is_maximum = requires {
-  F::is_maximum;
-};
-
-template <class F>
-inline constexpr bool is_relative = requires {
-  F::relative;
-};
-
 /// The values of a set of fields for one particle, or for one pack of them: Values<T, D, List<Mass, Density>> has .m,
 /// .rho.
 template <class T, int D, class Fields>
@@ -65,7 +55,7 @@ KOKKOS_FORCEINLINE_FUNCTION void accumulate_field(Values<T, D, Fields>& to, cons
   T* out = component_array<F>(to);
   const U* in = component_array<F>(packs);
   for (int k = 0; k < components<F, D>; ++k) {
-    if constexpr (is_maximum<F>)
+    if constexpr (F::facts.maximum)
       out[k] = max(out[k], T(max_lanes(in[k])));
     else
       out[k] += T(sum_lanes(in[k]));

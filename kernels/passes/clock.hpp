@@ -16,7 +16,8 @@ struct StepClock {
   static constexpr int block_bits = 44;
   static constexpr Ticks block = Ticks(1) << block_bits;
 
-  double dt = 0;  ///< length of the drift in progress
+  double dt = 0;        ///< length of the drift in progress
+  double mobility = 1;  ///< 0: particles keep their places and velocities
   bool individual = false;
   double tick = 0;
   Ticks now = 0, next = 0;                       ///< where the drift in progress begins and ends

@@ -19,7 +19,9 @@ struct DampVelocity {
 /// Friction dv/dt = -(c/h) v: waves of the particle spacing die within a few of their periods, and the gas settles.
 struct Damping {
   static constexpr const char* name = "damping";
-  using Writes = List<>;
+  static constexpr bool essential = true;
+  using Reads = List<SoundSpeed, Support>;
+  using Writes = List<Velocity>;
   template <class L>
   static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),

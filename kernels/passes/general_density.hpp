@@ -76,21 +76,23 @@ struct GeneralContinuity {
   using Eta = FreeEta;
   static constexpr const char* name = "generalised density";
   static constexpr bool over_pairs = true;
-  using Writes = List<>;
-  using Keeps = List<InverseEta, GeneralDensity>;
+  using Reads = List<Position, InverseSupport, Mass, Thermal, Density>;
+  using Writes = List<InverseEta, GeneralDensity>;
+  using Keeps = Writes;
+  using Sums = TermSet<GeneralDensitySum>;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
-    sum_up<Reach::symmetric, TermSet<GeneralDensitySum>, S>(run, smoothing);
+    sum_up<Reach::symmetric, Sums, S>(run, smoothing);
   }
 
  protected:
-  template <Reach reach, class Sums, class S>
+  template <Reach reach, class SumsOfPairs, class S>
   static void sum_up(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;
     const State<S> state{run.state.template as<L>(), smoothing};
     const Kokkos::RangePolicy<ExecutionSpace> all(0, state.n);
     Kokkos::parallel_for("1/eta", all, detail::TakeInverseEta<L, FreeEta>{state});
-    add_pair_sums<reach>(name, state, Sums(state.parameters), state.columns);
+    add_pair_sums<reach>(name, state, SumsOfPairs(run.given), state.columns);
     Kokkos::parallel_for(name, all, detail::TakeGeneralDensity<L>{state});
   }
 };
@@ -99,11 +101,13 @@ struct GeneralContinuity {
 /// footnote 4).
 template <class FreeEta>
 struct CoherentContinuity : GeneralContinuity<FreeEta> {
-  using Keeps = List<InverseEta, GeneralDensity, GeneralDensitySlope, GradHMass>;
+  using Reads = Union<typename GeneralContinuity<FreeEta>::Reads, List<Support, NumberDensity, NumberDensitySlope>>;
+  using Writes = List<InverseEta, GeneralDensity, GeneralDensitySlope, GradHMass>;
+  using Keeps = Writes;
+  using Sums = TermSet<GeneralDensitySum, GeneralDensitySlopeSum>;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;
-    using Sums = TermSet<GeneralDensitySum, GeneralDensitySlopeSum>;
     CoherentContinuity::template sum_up<Reach::gather, Sums, S>(run, smoothing);
     Kokkos::parallel_for("grad-h", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
                          detail::EvaluateGeneralGradH<L>{run.state.template as<L>()});
@@ -114,6 +118,7 @@ struct CoherentContinuity : GeneralContinuity<FreeEta> {
 template <class Phi, class Zeta>
 struct FreeFunctions {
   static constexpr const char* name = "free functions";
+  using Reads = List<Thermal, GeneralDensity>;
   using Writes = List<InversePhi, PhiPressure, InverseZeta, ZetaPressure>;
   template <class L>
   static void run(RunOf<L>& run) {
@@ -126,12 +131,14 @@ struct FreeFunctions {
 struct SmoothedPressures {
   static constexpr const char* name = "smoothed pressures";
   static constexpr bool over_pairs = true;
+  using Reads = List<Position, InverseSupport, Mass, Pressure, InverseDensity>;
   using Writes = List<SmoothedPressure>;
-  using Keeps = List<Pressure, InverseDensity>;
+  using Keeps = Writes;
+  using Sums = TermSet<SmoothedPressureSum>;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     const State<S> state{run.state.template as<typename S::Layout>(), smoothing};
-    add_pair_sums(name, state, TermSet<SmoothedPressureSum>(state.parameters), state.columns);
+    add_pair_sums(name, state, Sums(run.given), state.columns);
   }
 };
 

@@ -4,6 +4,13 @@
 
 namespace sphk {
 
+inline constexpr Number motion{
+    .key = "time.motion",
+    .standard = 1,
+    .meaning = "false: particles keep their places and velocities and only exchange heat and mass",
+    .max = 1,
+    .words = off_or_on};
+
 namespace detail {
 
 /// s + ds, but never below zero: beyond half of s the loss turns into an exponential decay (value and slope
@@ -27,9 +34,10 @@ struct KickAndDrift {
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     const double dt = state.clock.dt;
     if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i));
-    for (int d = 0; d < D && state.parameters.motion; ++d) {
-      state.template at<Position>(i, d) += dt * state.template at<HalfStepVelocity>(i, d);
-      state.template at<Velocity>(i, d) += dt * state.template at<Acceleration>(i, d);
+    const double moved = dt * state.clock.mobility;
+    for (int d = 0; d < D; ++d) {
+      state.template at<Position>(i, d) += moved * state.template at<HalfStepVelocity>(i, d);
+      state.template at<Velocity>(i, d) += moved * state.template at<Acceleration>(i, d);
     }
     double& s = state.template at<Thermal>(i);
     const double s_before = s;
@@ -51,9 +59,10 @@ struct KickAndDrift {
  private:
   /// Opening kick over half a step.
   KOKKOS_INLINE_FUNCTION void open(int i, double half) const {
+    const double kick = half * state.clock.mobility;
     for (int d = 0; d < D; ++d)
       state.template at<HalfStepVelocity>(i, d) =
-          state.template at<Velocity>(i, d) + half * state.template at<Acceleration>(i, d);
+          state.template at<Velocity>(i, d) + kick * state.template at<Acceleration>(i, d);
     state.template at<HalfStepThermal>(i) =
         positive_sum(state.template at<Thermal>(i), half * state.template at<ThermalRate>(i));
     if constexpr (contains<MassRate, Fields>)
@@ -87,14 +96,12 @@ struct ClosingKick {
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
     if (!state.active.contains(i)) return;
-    if (state.parameters.central_mass > 0) pull(i);
-    const double half = 0.5 * state.clock.step_of(i);
+    const double half = 0.5 * state.clock.step_of(i), kick = half * state.clock.mobility;
     double sum = 0;  // not finite where anything of the particle is not
     for (int d = 0; d < D; ++d) {
       double& v = state.template at<Velocity>(i, d);
-      const double kicked = state.template at<HalfStepVelocity>(i, d) + half * state.template at<Acceleration>(i, d);
-      v = state.parameters.motion ? kicked : v;
-      sum += kicked;
+      v = state.template at<HalfStepVelocity>(i, d) + kick * state.template at<Acceleration>(i, d);
+      sum += v;
     }
     if constexpr (contains<Heating, Fields>) {
       const double ds =
@@ -109,12 +116,16 @@ struct ClosingKick {
     const double asked = state.step_asked(i);
     limit += {asked > 0 && Kokkos::isfinite(sum) ? asked : 0, i};
   }
+};
 
- private:
-  /// The central mass pulls beside the forces of the pairs.
-  KOKKOS_INLINE_FUNCTION void pull(int i) const {
-    const double rate2 = state.central_rate2(i);
-    for (int d = 0; d < D; ++d) state.template at<Acceleration>(i, d) -= rate2 * state.template at<Position>(i, d);
+template <class L>
+struct PullToCentre {
+  Particles<L> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    if (!state.active.contains(i)) return;
+    const auto x = state.position(i);
+    const double rate2 = state.central.rate2(x);
+    for (int d = 0; d < L::dimension; ++d) state.template at<Acceleration>(i, d) -= rate2 * x[d];
   }
 };
 
@@ -124,7 +135,12 @@ struct ClosingKick {
 /// end; the support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
+  static constexpr bool essential = true;
+  using Reads = List<>;
+  using Remembers = List<Acceleration, ThermalRate, NumberDensity, NumberDensitySlope>;
+  using MayRemember = List<VelocityDivergence, MassRate>;
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
+  using Numbers = sphk::Numbers<motion>;
   template <class L>
   static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
@@ -132,10 +148,28 @@ struct KickDrift {
   }
 };
 
+/// The pull of a central mass, beside the forces of the pairs.
+struct CentralPull {
+  static constexpr const char* name = "central mass";
+  static constexpr bool essential = true;
+  using Reads = List<Position, Acceleration>;
+  using Writes = List<Acceleration>;
+  using Numbers = sphk::Numbers<central_mass, gravity_softening>;
+  static bool wanted(const Given& given) { return given[central_mass] > 0; }
+  template <class L>
+  static void run(RunOf<L>& run) {
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                         detail::PullToCentre<BaseLayout<L>>{run.state});
+  }
+};
+
 /// Closing half kick of the active particles, and the time-steps that they ask for.
 struct KickTimeStep {
   static constexpr const char* name = "kick and time-step";
-  using Writes = List<ThermalRate>;
+  static constexpr bool essential = true;
+  using Reads = List<HalfStepVelocity, HalfStepThermal, Support, Acceleration, MaxSignalVelocity>;
+  using Writes = List<Velocity, Thermal, ThermalRate>;
+  using Numbers = sphk::Numbers<courant_number>;
   template <class L>
   static void run(RunOf<L>& run) {
     run.limit = {};

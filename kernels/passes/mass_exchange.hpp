@@ -16,6 +16,7 @@ namespace detail {
 template <class L>
 struct CorrectForMass {
   Particles<L> state;
+  MassForm form;
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
     constexpr int D = L::dimension;
@@ -23,12 +24,10 @@ struct CorrectForMass {
     const double m_inv = 1 / s.m;
     const double u =
         state.template at<Pressure>(i) * state.template at<InverseDensity>(i) / (state.parameters.gamma - 1);
-    const MassCorrection form = state.parameters.mass_correction;
-    const double own = form == MassCorrection::flux ? 1 : form == MassCorrection::particle ? -1 : 0;
+    const double own = form.own;
     for (int d = 0; d < D; ++d) state.template at<Acceleration>(i, d) += m_inv * (s.dm_v[d] + own * s.dm * s.v[d]);
-    double heat = s.dm_e;
-    if (own != 0) heat += (0.5 * dot(s.v, s.v) + own * u) * s.dm;
-    if (form == MassCorrection::flux) heat += dot(s.v, s.dm_v);
+    const double flux = form.loss * dot(s.v, s.dm_v);  // loss is 1 for the flux form alone
+    const double heat = s.dm_e + own * (own * 0.5 * dot(s.v, s.v) + u) * s.dm + flux;
     state.template at<Heating>(i) += m_inv * heat;
   }
 };
@@ -58,8 +57,12 @@ struct AnyMassRate {
 struct MassExchange {
   static constexpr const char* name = "mass exchange";
   static constexpr bool over_pairs = true;
-  using Writes = List<>;
-  using Keeps = List<HalfStepMass, MassDensityRate, Pressure, InverseDensity>;
+  using Reads = List<Position, Velocity, Mass, Support, InverseSupport, Pressure, InverseDensity, MassRate,
+                     MassMomentum, MassEnergy, Acceleration, Heating>;
+  using Writes = List<Acceleration, Heating>;
+  using Keeps = List<HalfStepMass, MassDensityRate>;
+  using Numbers = sphk::Numbers<mass_form>;
+  using Sums = TermSet<MassDensityRateSum>;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;
@@ -68,12 +71,12 @@ struct MassExchange {
     int any = 0;
     Kokkos::parallel_reduce("any exchange of mass", all, detail::AnyMassRate<L>{state}, Kokkos::LOr<int>(any));
     if (!any) return;
-    Kokkos::parallel_for(name, all, detail::CorrectForMass<L>{state});
+    const MassForm form = mass_form_of(run.given);
+    Kokkos::parallel_for(name, all, detail::CorrectForMass<L>{state, form});
     // Where u is integrated it does not change with rho.
     if constexpr (std::is_same_v<typename L::ThermalForm, EntropyForm>) {
-      if (state.parameters.mass_correction != MassCorrection::donor) return;
-      add_pair_sums<Reach::gather>("rho's change by exchange", state, TermSet<MassDensityRateSum>(state.parameters),
-                                   state.columns);
+      if (!form.paid) return;
+      add_pair_sums<Reach::gather>("rho's change by exchange", state, Sums(run.given), state.columns);
       Kokkos::parallel_for(name, all, detail::PayForDensity<L>{state});
     }
   }

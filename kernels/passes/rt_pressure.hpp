@@ -27,8 +27,9 @@ struct TakeRtPressure {
 struct RtPressure {
   static constexpr const char* name = "RT pressure";
   static constexpr bool over_pairs = true;
-  using Writes = List<>;
-  using Keeps = List<InverseEta, GeneralDensity, Pressure, SoundSpeed, InverseDensity>;
+  using Reads = List<Position, InverseSupport, Mass, Thermal, Density, InverseDensity, Pressure, SoundSpeed>;
+  using Writes = List<InverseEta, GeneralDensity, Pressure, SoundSpeed>;
+  using Keeps = Writes;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using L = typename S::Layout;

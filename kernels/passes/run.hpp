@@ -82,6 +82,7 @@ struct Run {
   long step = 0;
   long active_count = 0;  ///< particles computed in the last step
   Schedule schedule;
+  Given given;             ///< the numbers of terms and passes
   double accept = 0;       ///< relative move at which a search for h ends
   SupportCounts searches;  ///< of the last pass
   FitCounts fits;          ///< of the last pass
@@ -90,6 +91,18 @@ struct Run {
 
 template <class L>
 using RunOf = Run<BaseLayout<L>>;
+
+/// Gives every particle the same value of field F, where there is such a field.
+template <class F, class L>
+void fill(const Particles<L>& state, double value) {
+  if constexpr (contains<F, typename L::Fields>) {
+    const auto first = static_cast<std::size_t>(component_offset<L::dimension, F, typename L::Fields>) *
+                       static_cast<std::size_t>(state.columns.stride);
+    Kokkos::deep_copy(ExecutionSpace(),
+                      Kokkos::subview(state.columns.data, std::pair(first, first + static_cast<std::size_t>(state.n))),
+                      value);
+  }
+}
 
 /// Runs pass P of scheme S. A pass over pairs needs the scheme's smoothing kernel and pair arithmetic, others know its
 /// layout alone.

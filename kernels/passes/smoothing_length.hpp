@@ -38,7 +38,7 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   Terms terms;    ///< the further sums, taken once, at the final h
   double accept;  ///< relative move at which a search ends
 
-  FindSupport(const State<S>& of, double relative) : Base{of}, terms(of.parameters), accept(relative) {}
+  FindSupport(const State<S>& of, const Given& given, double relative) : Base{of}, terms(given), accept(relative) {}
 
   /// One particle's search.
   struct Task {
@@ -224,9 +224,9 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
 }  // namespace detail
 
 template <class S>
-SupportCounts find_support(const State<S>& state, double accept) {
+SupportCounts find_support(const State<S>& state, const Given& given, double accept) {
   SupportCounts counts;
-  run_pairs("smoothing length", detail::FindSupport<S>(state, accept), Kokkos::Sum<SupportCounts>(counts));
+  run_pairs("smoothing length", detail::FindSupport<S>(state, given, accept), Kokkos::Sum<SupportCounts>(counts));
   return counts;
 }
 

@@ -3,6 +3,7 @@
 #include "kernels/cells/cell_tree.hpp"
 #include "kernels/cells/sorter.hpp"
 #include "kernels/cells/tile.hpp"
+#include "kernels/passes/central_mass.hpp"
 #include "kernels/passes/clock.hpp"
 #include "kernels/smoothing/pair.hpp"
 #include "kernels/terms/term_set.hpp"
@@ -62,6 +63,26 @@ struct ActiveSet {
   }
 };
 
+inline constexpr Number neighbour_number{.key = "sph.neighbours",
+                                         .standard = 48,
+                                         .meaning = "neighbour number N_n of V_D h^D n = N_n (S12 eq 11)",
+                                         .min = 1,
+                                         .max = 1e6};
+inline constexpr Number largest_support{
+    .key = "sph.h_max",
+    .standard = 0,
+    .meaning = "largest support radius; 0: the diagonal of an open box, no limit that matters in a periodic one"};
+inline constexpr Number courant_number{
+    .key = "time.courant", .standard = 0.4, .meaning = "C of dt = C h / v_max (S12 eq 43)", .min = 1e-6, .max = 10};
+
+/// Numbers that every scheme has, in code units.
+struct Parameters {
+  double neighbours = 48;  ///< N_n of S12 eq 11
+  double gamma = 5.0 / 3;  ///< adiabatic index
+  double courant = 0.4;    ///< C of S12 eq 43
+  double h_max = 0;        ///< cap of the support radius
+};
+
 /// The particles of a run, sorted, with their cells. Copied into functors by value.
 template <class L>
 struct Particles {
@@ -74,6 +95,7 @@ struct Particles {
   Parameters parameters;
   ActiveSet active{};
   StepClock clock{};
+  CentralMass central{};
   /// Row of the density that the equation of state and the forces take: that of a scheme's generalised continuity
   /// equation, where it has one.
   int state_density_row = component_offset<L::dimension, Density, typename L::Fields>;
@@ -83,7 +105,7 @@ struct Particles {
   Particles<Other> as() const {
     static_assert(starts_with<typename L::Fields, typename Other::Fields> ||
                   starts_with<typename Other::Fields, typename L::Fields>);
-    return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock, state_density_row};
+    return {n, {columns.data, columns.stride}, ids, tree, parameters, active, clock, central, state_density_row};
   }
 
   template <class F>
@@ -93,21 +115,13 @@ struct Particles {
   KOKKOS_FORCEINLINE_FUNCTION double state_density(int i) const {
     return columns.data(static_cast<std::size_t>(state_density_row) * columns.stride + i);
   }
-  /// r^2 + softening^2 of a particle and the central mass.
-  KOKKOS_INLINE_FUNCTION double softened_distance2(int i) const {
-    double r2 = parameters.softening * parameters.softening;
-    for (int d = 0; d < L::dimension; ++d) r2 += at<Position>(i, d) * at<Position>(i, d);
-    return r2;
+  KOKKOS_INLINE_FUNCTION Vec<double, L::dimension> position(int i) const {
+    return columns.template load<List<Position>>(i).x;
   }
-  /// G M / (r^2 + softening^2)^(3/2): the squared rate at which the particle circles the central mass.
-  KOKKOS_INLINE_FUNCTION double central_rate2(int i) const {
-    const double r2 = softened_distance2(i);
-    return parameters.central_mass / (r2 * Kokkos::sqrt(r2));
-  }
-  /// dt = C h_i / v_max,i (S12 eq 43), and C over the rate of circling.
+  /// dt = C h_i / v_max,i (S12 eq 43), or what circling the central mass asks for.
   KOKKOS_INLINE_FUNCTION double step_asked(int i) const {
     const double asked = parameters.courant * at<Support>(i) / at<MaxSignalVelocity>(i);
-    return parameters.central_mass > 0 ? min(asked, parameters.courant / Kokkos::sqrt(central_rate2(i))) : asked;
+    return central.limited(asked, parameters.courant, position(i));
   }
 };
 

@@ -2,12 +2,14 @@
 
 #include "kernels/passes/kick_drift.hpp"
 #include "kernels/passes/run.hpp"
+#include "kernels/terms/pair_limiter.hpp"
 
 namespace sphk {
 
 /// The scheme integrates the entropy function A, P = A rho^gamma; du/dt of dissipation feeds it.
 struct EntropyForm {
   static constexpr const char* name = "entropy";
+  static constexpr const char* left_out = "pressure work: the entropy function changes by dissipation alone";
   KOKKOS_INLINE_FUNCTION static double pressure(double A, double rho, double gamma) {
     return A * Kokkos::pow(rho, gamma);
   }
@@ -29,6 +31,7 @@ struct EntropyForm {
 /// The scheme integrates the specific energy u, P = (gamma-1) rho u.
 struct EnergyForm {
   static constexpr const char* name = "energy";
+  static constexpr const char* left_out = nullptr;
   KOKKOS_INLINE_FUNCTION static double pressure(double u, double rho, double gamma) { return (gamma - 1) * rho * u; }
   KOKKOS_INLINE_FUNCTION static double rate(double du, double, double) { return du; }
   KOKKOS_INLINE_FUNCTION static double entropy_rate(double du, double work, double rho, double gamma) {
@@ -46,7 +49,7 @@ KOKKOS_INLINE_FUNCTION double balsara_factor(double div_v, double curl_v, double
   return sum > 0 ? div / sum : 1;
 }
 
-template <class L>
+template <class L, class StateDensity>
 struct EvaluateState {
   Particles<L> state;
 
@@ -57,8 +60,7 @@ struct EvaluateState {
 
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     if (!state.active.contains(i)) return;
-    using Fields = typename L::Fields;
-    const double rho = state.state_density(i), h = state.template at<Support>(i);
+    const double rho = state.template at<StateDensity>(i);
     const double gamma = state.parameters.gamma;
     const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
     const double c = Kokkos::sqrt(gamma * P / rho);
@@ -66,11 +68,16 @@ struct EvaluateState {
     set<PressureOverDensity2>(i, P / (rho * rho));
     set<InverseDensity>(i, 1 / rho);
     set<SoundSpeed>(i, c);
-    if constexpr (contains<Balsara, Fields>) {
-      const auto curl = state.columns.template load<List<VelocityCurl>>(i).curl_v;
-      const double factor = balsara_factor(state.template at<VelocityDivergence>(i), length(curl), c, h);
-      set<Balsara>(i, state.parameters.balsara ? factor : 1);
-    }
+  }
+};
+
+template <class L>
+struct EvaluateBalsara {
+  Particles<L> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    if (!state.active.contains(i)) return;
+    const auto v = state.columns.template load<List<VelocityDivergence, VelocityCurl, SoundSpeed, Support>>(i);
+    state.template at<Balsara>(i) = balsara_factor(v.div_v, length(v.curl_v), v.c, v.h);
   }
 };
 
@@ -95,22 +102,52 @@ struct EvaluateGradH {
 
 }  // namespace detail
 
-/// Pressure, sound speed, Balsara's factor (S12 eq 32): what the terms read beside the density.
-struct StateEquation {
+/// Pressure and sound speed of a density, that of the equations of motion: what the terms read beside it.
+template <class Density>
+struct EquationOfState {
+  using StateDensity = Density;
   static constexpr const char* name = "equation of state";
-  using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed, Balsara>;
+  using Reads = List<Density, Thermal>;
+  using Writes = List<Pressure, PressureOverDensity2, InverseDensity, SoundSpeed>;
+  using Numbers = sphk::Numbers<adiabatic_index>;
   template <class L>
   static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::EvaluateState<L>{run.state.template as<L>()});
+                         detail::EvaluateState<L, Density>{run.state.template as<L>()});
+  }
+};
+using StateEquation = EquationOfState<Density>;
+
+/// Balsara's factor, with which classic schemes limit their viscosity (S12 eq 32);
+struct BalsaraFactor {
+  static constexpr const char* name = "Balsara's factor";
+  using Reads = List<VelocityDivergence, VelocityCurl, SoundSpeed, Support>;
+  using Writes = List<Balsara>;
+  static bool wanted(const Given& given) { return given[viscosity_balsara] != 0; }
+  template <class L>
+  static void run(RunOf<L>& run) {
+    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                         detail::EvaluateBalsara<L>{run.state.template as<L>()});
+  }
+};
+/// or 1 in its place.
+struct NoBalsaraFactor {
+  static constexpr const char* name = "no Balsara factor";
+  using Reads = List<>;
+  using Writes = List<Balsara>;
+  static bool wanted(const Given& given) { return !BalsaraFactor::wanted(given); }
+  template <class L>
+  static void run(RunOf<L>& run) {
+    fill<Balsara>(run.state.template as<L>(), 1);
   }
 };
 
 /// z of the conservative momentum equation, from dn/dh and drho/dh.
 struct GradH {
   static constexpr const char* name = "grad-h";
+  using Reads = List<Support, NumberDensity, NumberDensitySlope, DensitySlope>;
   using Writes = List<GradHMass>;
-  using Keeps = List<GradHMass, DensitySlope>;
+  using Keeps = Writes;
   template <class L>
   static void run(RunOf<L>& run) {
     Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),

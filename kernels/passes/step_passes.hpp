@@ -41,7 +41,7 @@ Ticks first_end(const Particles<L>& state);
 /// scheme's further sums at the final h. A search ends when its step is below accept * h; n and rho are then carried
 /// over to first order. Defined in smoothing_length.hpp.
 template <class S>
-SupportCounts find_support(const State<S>& state, double accept);
+SupportCounts find_support(const State<S>& state, const Given& given, double accept);
 
 /// div v, curl v and grad(div v) from second-order polynomials fitted to the velocities of the neighbours with weights
 /// m_j Wbar (S12 eq 26-28, App. D); linear fits, then the standard SPH estimate, where neighbours are degenerate.
@@ -49,9 +49,20 @@ SupportCounts find_support(const State<S>& state, double accept);
 template <class S>
 FitCounts fit_velocities(const State<S>& state);
 
+/// Whether these two loops are compiled apart from the schemes that have core S, once for all of them: such schemes
+/// call the following, which do the same. Host code says which (src/schemes/shared_loops.hpp).
+template <class S>
+inline constexpr bool compiled_apart = false;
+template <class S>
+SupportCounts find_support_apart(const State<S>& state, const Given& given, double accept);
+template <class S>
+FitCounts fit_velocities_apart(const State<S>& state);
+
 /// Boxes of the cells; now and then the order of the particles in space.
 struct SortedCells {
   static constexpr const char* name = "cells";
+  static constexpr bool essential = true;
+  using Reads = List<Position, Support>;
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {
@@ -62,6 +73,8 @@ struct SortedCells {
 /// The particles whose steps end now.
 struct ActiveParticles {
   static constexpr const char* name = "active particles";
+  static constexpr bool essential = true;
+  using Reads = List<>;
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {
@@ -73,12 +86,21 @@ struct ActiveParticles {
 /// Support radii and the gather sums; the cells learn the new radii.
 struct SmoothingLength {
   static constexpr const char* name = "smoothing length and density";
-  static constexpr bool over_pairs = true;
-  using Writes = List<>;
+  static constexpr bool over_pairs = true, essential = true;
+  template <class R>
+  using ReadsIn = Union<List<Position, Mass, Support>, typename R::DensityTerms::Reads>;
+  template <class R>
+  using WritesIn = Union<List<Support, InverseSupport, NumberDensity, NumberDensitySlope, Density, DensitySlope>,
+                         typename R::DensityTerms::Adds>;
+  using Numbers = sphk::Numbers<neighbour_number, largest_support>;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using Core = typename S::Core;
-    run.searches = find_support(State<Core>{run.state.template as<typename Core::Layout>(), smoothing}, run.accept);
+    const State<Core> state{run.state.template as<typename Core::Layout>(), smoothing};
+    if constexpr (compiled_apart<Core>)
+      run.searches = find_support_apart(state, run.given, run.accept);
+    else
+      run.searches = find_support(state, run.given, run.accept);
     fit_cells(run.state);
   }
 };
@@ -87,30 +109,40 @@ struct SmoothingLength {
 struct Gradients {
   static constexpr const char* name = "gradients";
   static constexpr bool over_pairs = true;
+  using Reads = List<Position, Support, InverseSupport, Mass, Velocity, Density>;
   using Writes = List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>;
   using Keeps = Writes;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     using Core = typename S::Core;
-    run.fits = fit_velocities(State<Core>{run.state.template as<typename Core::Layout>(), smoothing});
+    const State<Core> state{run.state.template as<typename Core::Layout>(), smoothing};
+    if constexpr (compiled_apart<Core>)
+      run.fits = fit_velocities_apart(state);
+    else
+      run.fits = fit_velocities(state);
   }
 };
 
 /// All terms in one loop over pairs.
 struct Rates {
   static constexpr const char* name = "rates";
-  static constexpr bool over_pairs = true;
-  using Writes = List<>;
+  static constexpr bool over_pairs = true, essential = true;
+  template <class R>
+  using ReadsIn = typename R::RateTerms::Reads;
+  template <class R>
+  using WritesIn = typename R::RateTerms::Adds;
   template <class S>
   static void run(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
     const State<S> state{run.state.template as<typename S::Layout>(), smoothing};
-    add_pair_sums(name, state, typename S::RateTerms(state.parameters), state.columns);
+    add_pair_sums(name, state, typename S::RateTerms(run.given), state.columns);
   }
 };
 
 /// The next steps of the active particles (S12 sec 5; Saitoh & Makino 2009), where particles have steps of their own.
 struct NextSteps {
   static constexpr const char* name = "next steps";
+  static constexpr bool essential = true;
+  using Reads = List<Support, MaxSignalVelocity>;
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {

@@ -12,6 +12,7 @@ struct BSpline {
   static_assert(M == 5 || M == 6);
   static constexpr int n = M - 1;
   static constexpr char name[] = {'m', '0' + M, '\0'};
+  static constexpr double spacings = n == 5 ? 2.8406 : 3.503;
   static constexpr int flops = truncated_powers_flops(n);
 
   template <class T>

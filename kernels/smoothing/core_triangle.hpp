@@ -8,6 +8,7 @@ namespace sphk {
 /// continues value and slope, w(q) = cs(max(q, 1/3)) + slope min(q - 1/3, 0), so that no branch is needed.
 struct CoreTriangle {
   static constexpr const char* name = "ct";
+  static constexpr double spacings = 3.1265;
   static constexpr int flops = CubicSpline::flops + 5;
   static constexpr double core = 1.0 / 3;
   static constexpr double slope = -12 * core + 18 * core * core;

@@ -9,6 +9,7 @@ namespace sphk {
 /// powers: 2(1-q)_+^3 - (1-2q)_+^3.
 struct CubicSpline {
   static constexpr const char* name = "cs";
+  static constexpr double spacings = 2.2545;
   static constexpr int flops = 14;
 
   template <class T>

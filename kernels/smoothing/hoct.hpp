@@ -43,6 +43,7 @@ template <int n>
 struct Hoct {
   static_assert(n >= 3 && n <= 9);
   static constexpr char name[] = {'h', 'o', 'c', 't', '0' + n, '\0'};
+  static constexpr double spacings = 4.7256;
   static constexpr int flops = truncated_powers_flops(n) + 5;
   static constexpr detail::HoctCoefficients<n> coefficients{};
   static constexpr double A = coefficients.A, B = coefficients.B, P = coefficients.P, Q = coefficients.Q;

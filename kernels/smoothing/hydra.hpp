@@ -8,6 +8,7 @@ namespace sphk {
 /// force between close particles does not fade. dw is not the derivative of w there, on purpose.
 struct Hydra {
   static constexpr const char* name = "hydra";
+  static constexpr double spacings = 2.2545;
   static constexpr int flops = CubicSpline::flops + 5;
   static constexpr double core = 1.0 / 3;
 

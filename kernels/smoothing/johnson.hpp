@@ -8,6 +8,7 @@ namespace sphk {
 /// Johnson's quadratic kernel, (1-q)^2: its slope grows towards the centre (V10 sec 3).
 struct Johnson {
   static constexpr const char* name = "johnson";
+  static constexpr double spacings = 2.2545;
   static constexpr int flops = 4;
 
   template <class T>

@@ -10,6 +10,7 @@ namespace sphk {
 /// s^3 (1/s_c^2 - s/(2 s_c^3)), V10's A to E expanded in q.
 struct Liq {
   static constexpr const char* name = "liq";
+  static constexpr double spacings = 3.1915;
   static constexpr int flops = 15;
 
   /// x_s in [0, 1): the edge of the linear core; V10's choice is 0.3.

@@ -7,8 +7,9 @@ namespace sphk {
 /// Shape of a smoothing kernel at q = r/h: w(q) and dw/dq, without the norm. W(r, h) = N_D / h^D w(r/h) and
 /// dW/dr = N_D / h^(D+1) dw(r/h); both vanish for q >= 1.
 ///
-/// A smoothing kernel is a small value with `name`, `flops` (operations of one call of operator(): additions, products,
-/// min and max count 1, a fused multiply-add 2), operator()(q) -> Shape, w(q) and norm(dimension) -> N_D.
+/// A smoothing kernel is a small value with `name`, `spacings` (the support radius in mean distances of particles that
+/// is usual with it), `flops` (operations of one call of operator(): additions, products, min and max count 1, a fused
+/// multiply-add 2), operator()(q) -> Shape, w(q) and norm(dimension) -> N_D.
 /// q >= 0 is a float, a double or a SIMD pack; constants are made in lane_t<T>, so that floats never meet doubles.
 template <class T>
 struct Shape {

@@ -15,6 +15,7 @@ KOKKOS_INLINE_FUNCTION T cut_at_edge(T q) {
 /// Wendland C2: (1-q)^4 (1+4q).
 struct WendlandC2 {
   static constexpr const char* name = "wc2";
+  static constexpr double spacings = 2.8794;
   static constexpr int flops = 10;
 
   template <class T>
@@ -39,6 +40,7 @@ struct WendlandC2 {
 /// Wendland C4: (1-q)^6 (1 + 6q + 35 q^2/3).
 struct WendlandC4 {
   static constexpr const char* name = "wc4";
+  static constexpr double spacings = 3.6277;
   static constexpr int flops = 16;
 
   template <class T>
@@ -71,6 +73,7 @@ struct WendlandC4 {
 /// Wendland C6: (1-q)^8 (1 + 8q + 25q^2 + 32q^3).
 struct WendlandC6 {
   static constexpr const char* name = "wc6";
+  static constexpr double spacings = 4.1525;
   static constexpr int flops = 20;
 
   template <class T>

@@ -7,7 +7,8 @@ namespace sphk {
 /// The acceleration by term Term alone.
 template <class Term>
 struct ApartAcceleration {
-  static constexpr const char* name = "Acceleration";
+  static constexpr FieldFacts facts{
+      .name = "Acceleration", .description = "dv/dt by the ", .unit = Acceleration::facts.unit, .rank = Rank::vector};
   template <class T, int D>
   struct Value {
     Vec<T, D> a_apart;
@@ -17,12 +18,20 @@ struct ApartAcceleration {
 /// du/dt by term Term alone.
 template <class Term>
 struct ApartHeating {
-  static constexpr const char* name = "Heating";
+  static constexpr FieldFacts facts{.name = "Heating", .description = "du/dt by the ", .unit = Heating::facts.unit};
   template <class T, int D>
   struct Value {
     T du_apart;
   };
 };
+
+/// Is F one of these?
+template <class F>
+inline constexpr bool is_apart = false;
+template <class Term>
+inline constexpr bool is_apart<ApartAcceleration<Term>> = true;
+template <class Term>
+inline constexpr bool is_apart<ApartHeating<Term>> = true;
 
 namespace detail {
 template <class Term, class F>

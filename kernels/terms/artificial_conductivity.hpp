@@ -5,6 +5,17 @@
 
 namespace sphk {
 
+inline constexpr Number conductivity_alpha{.key = "conductivity.alpha",
+                                           .standard = 1,
+                                           .meaning = "alpha_u, strength of artificial conductivity (V10 eq 2)",
+                                           .max = 100};
+inline constexpr Number conductivity_signal{
+    .key = "conductivity.signal",
+    .standard = 0,
+    .meaning = "its signal velocity: Price 2008, or V10's with the sign of dP du (v1), of smoothed pressures (v2)",
+    .max = 2,
+    .words = "price|v1|v2"};
+
 namespace detail {
 /// alpha_u (m_j/rho_ij) v_sig^u (u_i - u_j) Wbar' with v_sig^u = sqrt(|dP|/rho_ij), times sign(dP du) where `signs` is
 /// 1 and not where it is 0 (V10 eq 2-6); (gamma - 1) (u_i - u_j) is taken from the pressures.
@@ -26,10 +37,14 @@ struct ArtificialConductivity {
   static constexpr const char* name = "artificial conductivity (Price 2008; V10 eq 2-5)";
   using Reads = List<Position, InverseSupport, Mass, Pressure, InverseDensity>;
   using Adds = List<Heating>;
+  using Antisymmetric = List<Heating>;
   static constexpr int flops = 26;
+  using Numbers = sphk::Numbers<conductivity_alpha, conductivity_signal>;
   double alpha, signs;  ///< alpha: alpha_u / (gamma - 1)
-  explicit ArtificialConductivity(const Parameters& p)
-      : alpha(p.alpha_conductivity / (p.gamma - 1)), signs(p.signed_conductivity ? 1 : 0) {}
+  explicit ArtificialConductivity(const Given& given)
+      : alpha(given[conductivity_alpha] / (given[adiabatic_index] - 1)), signs(given[conductivity_signal]) {}
+  static bool idle(const Given& given, const GasTraits&) { return given[conductivity_alpha] == 0; }
+  static bool serves(const Given& given) { return given[conductivity_signal] < 2; }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     sum.du = sum.du + detail::conducted_heat(alpha, signs, i.P - j.P, i, j, ij);
@@ -42,9 +57,14 @@ struct ArtificialConductivitySmoothed {
   static constexpr const char* name = "artificial conductivity of smoothed pressures (V10 eq 2, 6, 7)";
   using Reads = List<Position, InverseSupport, Mass, Pressure, SmoothedPressure, InverseDensity>;
   using Adds = List<Heating>;
+  using Antisymmetric = List<Heating>;
   static constexpr int flops = 26;
+  using Numbers = sphk::Numbers<conductivity_alpha, conductivity_signal>;
   double alpha;
-  explicit ArtificialConductivitySmoothed(const Parameters& p) : alpha(p.alpha_conductivity / (p.gamma - 1)) {}
+  explicit ArtificialConductivitySmoothed(const Given& given)
+      : alpha(given[conductivity_alpha] / (given[adiabatic_index] - 1)) {}
+  static bool idle(const Given& given, const GasTraits&) { return given[conductivity_alpha] == 0; }
+  static bool serves(const Given& given) { return given[conductivity_signal] == 2; }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     sum.du = sum.du + detail::conducted_heat(alpha, 1, i.P_smooth - j.P_smooth, i, j, ij);

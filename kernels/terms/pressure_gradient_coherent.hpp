@@ -20,6 +20,7 @@ struct PressureGradientCoherent : PlainTerm {
   using PlainTerm::PlainTerm;
   using Reads = List<Position, InverseSupport, Mass, ZetaPressure, InverseEta, GradHMass>;
   using Adds = List<Acceleration>;
+  using Antisymmetric = List<Acceleration>;
   static constexpr int flops = 21;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

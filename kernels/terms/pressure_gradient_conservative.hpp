@@ -15,6 +15,7 @@ struct PressureGradientConservative : PlainTerm {
   using PlainTerm::PlainTerm;
   using Reads = List<Position, InverseSupport, Mass, PressureOverDensity2, GradHMass>;
   using Adds = List<Acceleration>;
+  using Antisymmetric = List<Acceleration>;
   static constexpr int flops = 19;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

@@ -16,6 +16,7 @@ struct PressureGradientGeneral : PlainTerm {
   using PlainTerm::PlainTerm;
   using Reads = List<Position, InverseSupport, Mass, PhiPressure, InversePhi>;
   using Adds = List<Acceleration>;
+  using Antisymmetric = List<Acceleration>;
   static constexpr int flops = 10;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     sum.a -= (j.m * (i.P_phi2 + j.P_phi2) * i.phi_inv * j.phi_inv) * ij.grad_W;

@@ -14,6 +14,7 @@ struct PressureGradientSph : PlainTerm {
   using PlainTerm::PlainTerm;
   using Reads = List<Position, InverseSupport, Mass, PressureOverDensity2>;
   using Adds = List<Acceleration>;
+  using Antisymmetric = List<Acceleration>;
   static constexpr int flops = 8;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     sum.a -= (j.m * (i.P_rho2 + j.P_rho2)) * ij.grad_W;

@@ -1,9 +1,14 @@
 #pragma once
 
 #include "kernels/smoothing/pair.hpp"
+#include "kernels/terms/pair_limiter.hpp"
 #include "kernels/terms/viscous_pair.hpp"
 
 namespace sphk {
+
+/// beta of Gingold & Monaghan's viscosity.
+inline constexpr Number viscosity_beta{
+    .key = "viscosity.beta", .standard = 2, .meaning = "beta, strength of the quadratic viscosity", .max = 100};
 
 namespace detail {
 /// mu_ij = hs v_ij . r_ij/(r^2 + 0.01 hs^2) of an approaching pair, else 0; hs is half the mean support radius (Gingold
@@ -19,14 +24,21 @@ KOKKOS_FORCEINLINE_FUNCTION auto approach_mu(const auto& i, const auto& j, const
 
 /// Gingold & Monaghan's (1983) viscosity as in R10, with the Balsara switch: Pi_ij = (-alpha cbar mu + beta
 /// mu^2)/rho_ij, mu = hs v_ij . r_ij/(r^2 + 0.01 hs^2) for approaching pairs, hs half the mean support radius.
-struct ViscosityGingoldMonaghan {
+template <class Limiter = BalsaraLimited>
+struct ViscosityGingoldMonaghan : Limiter {
   static constexpr const char* label = "Viscosity";
   static constexpr const char* name = "viscosity, Gingold & Monaghan 1983 with the Balsara switch (R10)";
-  using Reads = List<Position, InverseSupport, Mass, Velocity, InverseDensity, SoundSpeed, Balsara, Support>;
+  using Reads = Union<List<Position, InverseSupport, Mass, Velocity, InverseDensity, SoundSpeed, Support>,
+                      typename Limiter::Reads>;
   using Adds = List<Acceleration, Heating>;
+  using Antisymmetric = List<Acceleration>;
+  using Numbers = sphk::Numbers<viscosity_alpha, viscosity_beta, viscosity_balsara>;
   static constexpr int flops = 40;
   double alpha, beta;
-  explicit ViscosityGingoldMonaghan(const Parameters& p) : alpha(p.alpha), beta(p.beta) {}
+  explicit ViscosityGingoldMonaghan(const Given& given) : alpha(given[viscosity_alpha]), beta(given[viscosity_beta]) {}
+  static bool idle(const Given& given, const GasTraits&) {
+    return given[viscosity_alpha] == 0 && given[viscosity_beta] == 0;
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;
@@ -35,7 +47,7 @@ struct ViscosityGingoldMonaghan {
     // 1 / (rho_i + rho_j), and the halves of cbar, rho_ij and the mean Balsara factor: (1/2 . 1/2) / (1/2), 1/2 /
     // (1/2).
     const P rho_sum_inv = i.rho_inv * j.rho_inv / (i.rho_inv + j.rho_inv);
-    const P Pi = mu * (P(T(beta)) * mu - P(T(0.5 * alpha)) * (i.c + j.c)) * (i.balsara + j.balsara) * rho_sum_inv;
+    const P Pi = mu * (P(T(beta)) * mu - P(T(0.5 * alpha)) * (i.c + j.c)) * Limiter::sum(i, j) * rho_sum_inv;
     detail::add_viscous_pair(sum, i, j, ij, Pi);
   }
 };
@@ -46,9 +58,10 @@ struct SignalVelocityMonaghan {
   static constexpr const char* name = "largest signal velocity, 2 ((1 + alpha) c + beta |mu|) (Monaghan 1992)";
   using Reads = List<Position, InverseSupport, Velocity, SoundSpeed, Support>;
   using Adds = List<MaxSignalVelocity>;
+  using Numbers = sphk::Numbers<viscosity_alpha, viscosity_beta>;
   static constexpr int flops = 8;
   double alpha, beta;
-  explicit SignalVelocityMonaghan(const Parameters& p) : alpha(p.alpha), beta(p.beta) {}
+  explicit SignalVelocityMonaghan(const Given& given) : alpha(given[viscosity_alpha]), beta(given[viscosity_beta]) {}
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.c)>;

@@ -5,6 +5,10 @@
 
 namespace sphk {
 
+/// alpha of Gingold & Monaghan and of signal-velocity viscosities; alpha_v where a switch multiplies it (S12 eq 29).
+inline constexpr Number viscosity_alpha{
+    .key = "viscosity.alpha", .standard = 1, .meaning = "alpha, strength of the viscosity", .max = 100};
+
 namespace detail {
 /// dv_i/dt = - m_j Pi_ij grad Wbar and its heat du_i/dt = (1/2) m_j Pi_ij v_ij . grad Wbar: what i loses j's heat
 /// gains.

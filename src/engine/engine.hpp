@@ -33,6 +33,8 @@ class Engine final : public Simulation {
         steps_accept_(facts_.mixed ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt),
         seconds_(facts_.passes.size()) {
+    for (std::size_t k = 0; k < facts_.passes.size(); ++k)
+      if (facts_.passes[k].wanted(run_.given)) wanted_.push_back(k);
     run_passes();
     require_finite();
     searches_ += run_.searches;
@@ -95,7 +97,7 @@ class Engine final : public Simulation {
     Costs costs = costs_;
     costs.bytes_per_particle = facts_.bytes_per_particle + (run_.state.clock.individual ? bytes_of_own_steps : 0);
     costs.flops = costs.pair_interactions * facts_.flops_per_pair;
-    for (std::size_t k = 0; k < seconds_.size(); ++k) costs.phases.emplace_back(facts_.passes[k], seconds_[k]);
+    for (const std::size_t k : wanted_) costs.phases.emplace_back(facts_.passes[k].name, seconds_[k]);
     return costs;
   }
 
@@ -110,7 +112,7 @@ class Engine final : public Simulation {
     run_.accept = 1e-7;
     run_passes();
     run_.accept = steps_accept_;
-    return passes_->rates(run_.state, split);
+    return passes_->rates(run_, split);
   }
 
   std::vector<Field> errors() const override { return passes_->errors(run_.state); }
@@ -171,11 +173,11 @@ class Engine final : public Simulation {
   }
 
   void run_passes() {
-    for (std::size_t k = 0; k < seconds_.size(); ++k) {
-      Kokkos::Profiling::ScopedRegion region(facts_.passes[k]);
+    for (const std::size_t k : wanted_) {
+      Kokkos::Profiling::ScopedRegion region(facts_.passes[k].name);
       Kokkos::Timer timer;
       passes_->run(static_cast<int>(k), run_);
-      ExecutionSpace().fence(facts_.passes[k]);
+      ExecutionSpace().fence(facts_.passes[k].name);
       seconds_[k] += timer.seconds();
     }
   }
@@ -243,7 +245,7 @@ class Engine final : public Simulation {
   }
 
   std::unique_ptr<SchemePasses<L>> passes_;
-  const SchemeFacts& facts_;
+  const CompiledFacts& facts_;
   Run<L> run_;
   CountColumns<D> counts_;
   Box origin_;
@@ -253,7 +255,8 @@ class Engine final : public Simulation {
   double start_ = run_.time;  ///< when all particles last began with one step
   double end_of_step_ = 0, block_begin_ = 0, block_end_ = 0;
   long updates_since_count_ = 0;
-  std::vector<double> seconds_;  ///< of the passes
+  std::vector<std::size_t> wanted_;  ///< passes that this run has, by their place in a step
+  std::vector<double> seconds_;      ///< of all passes
   StepReport report_;
   Costs costs_;
   SupportCounts searches_;

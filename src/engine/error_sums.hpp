@@ -2,6 +2,7 @@
 
 #include "kernels/passes/state.hpp"
 #include "kernels/terms/error_terms.hpp"
+#include "src/engine/particle_set.hpp"
 
 namespace sphk {
 
@@ -11,12 +12,16 @@ template <int D>
 using ErrorLayout =
     Layout<D, List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, Entropy>, void>;
 using ErrorTermSet = TermSet<ErrorTerms, NeighbourhoodTerms>;
-template <int D>
-using ErrorColumns = Columns<D, typename ErrorTermSet::Adds>;
 
-/// E0, R, V, the largest ratio of entropies and the nearest neighbour of every particle, in double. Defined in
-/// error_loops.hpp, compiled for the kernels of the schemes in src/schemes/core_errors.cpp.
+/// E0, R and V of every particle (R10 eq 28-30), how unlike its neighbours' entropies are and how near the nearest is,
+/// by id. Cells and supports are those of the last step. Defined in error_loops.hpp.
 template <int D, class K>
-ErrorColumns<D> error_sums(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
+std::vector<Field> error_fields(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
+
+/// Whether that is compiled apart from the schemes with kernel K, under the name that follows.
+template <int D, class K>
+inline constexpr bool errors_compiled_apart = false;
+template <int D, class K>
+std::vector<Field> error_fields_apart(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
 
 }  // namespace sphk

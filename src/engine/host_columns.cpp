@@ -5,27 +5,67 @@
 
 namespace sphk {
 
-HostNumbers on_host(const Numbers& numbers) {
+namespace {
+
+/// Where component k of a field in D dimensions stands among those of its output.
+std::size_t output_component(Rank rank, int dimension, int k) {
+  constexpr std::size_t matrix_places[3][6] = {{0}, {0, 1, 3}, {0, 1, 2, 3, 4, 5}};
+  if (rank == Rank::axial && dimension < 3) return 2;
+  if (rank == Rank::matrix) return matrix_places[dimension - 1][k];
+  return static_cast<std::size_t>(k);
+}
+
+int output_components(Rank rank) {
+  return rank == Rank::scalar ? 1 : rank == Rank::matrix ? 6 : 3;
+}
+
+}  // namespace
+
+HostNumbers on_host(const ColumnNumbers& numbers) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, numbers);
 }
 
-HostRows::HostRows(const Numbers& numbers, int row_length, const Ids& of)
-    : order(of.extent(0)), data(on_host(numbers)), stride(static_cast<std::size_t>(row_length)) {
+UnitExponents exponents(const Unit& unit, int dimension, double gamma) {
+  const double adiabatic = unit.adiabatic * (1 - gamma);
+  return {unit.length + dimension * (unit.volume - adiabatic), unit.mass + adiabatic, unit.time};
+}
+
+std::string singular_name(const FieldFacts& facts) {
+  return facts.singular ? facts.singular : facts.name;
+}
+
+HostRows::HostRows(const ColumnNumbers& numbers, int row_length, const Ids& of, int dimensions, double adiabatic_index)
+    : order(of.extent(0)),
+      data(on_host(numbers)),
+      stride(static_cast<std::size_t>(row_length)),
+      dimension(dimensions),
+      gamma(adiabatic_index) {
   const auto host_ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, of);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return host_ids(a) < host_ids(b); });
   for (const int i : order) ids.push_back(host_ids(i));
 }
 
-Field HostRows::field(std::string name, std::string description, UnitExponents units, int components, int row, int rows,
-                      int first) const {
-  Field out{std::move(name), std::move(description), units, components, {}};
-  out.values.assign(order.size() * static_cast<std::size_t>(components), 0.0);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (int k = 0; k < rows; ++k)
-      out.values[i * static_cast<std::size_t>(components) + static_cast<std::size_t>(first + k)] =
-          at(static_cast<int>(i), row + k);
+HostRows::HostRows(const HostRows& rows, const ColumnNumbers& numbers, int row_length) : HostRows(rows) {
+  data = on_host(numbers);
+  stride = static_cast<std::size_t>(row_length);
+}
+
+Field HostRows::field(const FieldPlace& place, Written as) const {
+  const FieldFacts& facts = *place.facts;
+  const int width = output_components(facts.rank);
+  Field out{std::move(as.name), std::move(as.description), exponents(facts.unit, dimension, gamma), width, {}};
+  out.values.assign(order.size() * static_cast<std::size_t>(width), 0.0);
+  for (int k = 0; k < place.components; ++k) {
+    const std::size_t to = output_component(facts.rank, dimension, k);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      out.values[i * static_cast<std::size_t>(width) + to] = at(static_cast<int>(i), place.row + k);
+  }
   return out;
+}
+
+Field HostRows::field(const FieldPlace& place) const {
+  return field(place, {place.facts->name, place.facts->description});
 }
 
 }  // namespace sphk

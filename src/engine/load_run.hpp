@@ -85,7 +85,7 @@ void allow_individual_steps(Particles<L>& state, Schedule& schedule, const Simul
 }  // namespace detail
 
 template <class L>
-Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, const SchemeFacts& facts,
+Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, const CompiledFacts& facts,
                 const std::function<void(Run<L>&)>& find_supports) {
   constexpr int D = L::dimension;
   using Columns = typename Particles<L>::Columns;
@@ -96,14 +96,17 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
     domain.period[d] = given.box.periodic[d] ? given.box.size[d] : 0;
   }
   const int stride = Columns::padded(n);
-  const Numbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
+  const ColumnNumbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
   Run<L> run(
       Particles<L>{n, Columns(rows, stride), Ids("ids", n), CellTree<D>(n, domain), parameters_of(given, settings)});
   run.state.state_density_row = facts.state_density_row;
   detail::copy_to_columns(run.state, given, facts.alpha_row);
   run.time = given.time;
   run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell
-  if (settings.individual_steps) detail::allow_individual_steps(run.state, run.schedule, settings);
+  run.given = given_of(settings);
+  run.state.central = CentralMass(run.given);
+  run.state.clock.mobility = run.given[motion];
+  if (has_own_steps(settings)) detail::allow_individual_steps(run.state, run.schedule, settings);
   sort_cells(run.state, run.sorter, run.schedule, run.step);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
   Kokkos::parallel_for("guess support", all, detail::GuessSupport<L>{run.state, support_of_even_gas(given, settings)});

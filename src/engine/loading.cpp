@@ -26,27 +26,21 @@ double support_cap(const ParticleSet& particles, const SimulationSettings& setti
   return open ? diagonal : diagonal + 2 * support_of_even_gas(particles, settings);
 }
 
+Given given_of(const SimulationSettings& settings) {
+  Given given = settings.numbers;
+  given.set(adiabatic_index.key, settings.gamma);
+  return given;
+}
+
+bool has_own_steps(const SimulationSettings& settings) {
+  return settings.steps == own_steps;
+}
+
 Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings) {
   return {.neighbours = settings.neighbours,
           .gamma = settings.gamma,
           .courant = settings.courant,
-          .alpha = settings.viscosity_alpha,
-          .beta = settings.viscosity_beta,
-          .subtract_E0 = settings.scheme == "sphs-morris",
-          .alpha_entropy = settings.alpha_entropy,
-          .alpha_mass = settings.alpha_mass,
-          .alpha_min = settings.alpha_min,
-          .noise = settings.switch_noise,
-          .alpha_given = settings.alpha_given,
-          .balsara_limits_all = settings.balsara_limits_all,
-          .mass_correction = settings.mass_correction,
-          .alpha_conductivity = settings.alpha_conductivity,
-          .signed_conductivity = settings.conductivity != "price",
-          .balsara = settings.balsara,
-          .motion = settings.motion,
-          .h_max = support_cap(particles, settings),
-          .central_mass = settings.central_mass,
-          .softening = settings.softening};
+          .h_max = support_cap(particles, settings)};
 }
 
 }  // namespace sphk

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/terms/term_set.hpp"
+#include "kernels/passes/state.hpp"
 #include "src/engine/simulation.hpp"
 
 namespace sphk {
@@ -12,7 +12,9 @@ double support_of_even_gas(const ParticleSet& particles, const SimulationSetting
 /// what the N_n-th image is nearer than wherever the particles are.
 double support_cap(const ParticleSet& particles, const SimulationSettings& settings);
 
-/// The numbers that passes and terms read.
+/// The numbers that passes and terms read: those of the settings, with what every scheme has.
+Given given_of(const SimulationSettings& settings);
+bool has_own_steps(const SimulationSettings& settings);
 Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings);
 
 }  // namespace sphk

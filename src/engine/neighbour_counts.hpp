@@ -50,7 +50,7 @@ using CountColumns = Columns<D, List<NeighbourCount>>;
 template <class L>
 void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report) {
   const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
-  add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(particles.parameters), counts);
+  add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(Given{}), counts);
   detail::CountRange range;
   Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),
                           detail::RangeOfCounts<CountColumns<L::dimension>>{counts},

@@ -2,36 +2,48 @@
 
 #include "src/engine/diagnostics.hpp"
 #include "src/engine/error_fields.hpp"
+#include "src/engine/error_loops.hpp"
 #include "src/engine/scheme.hpp"
 #include "src/engine/scheme_interface.hpp"
 
 namespace sphk {
 
+namespace detail {
+
+template <class P>
+constexpr PassFacts pass_facts() {
+  if constexpr (requires(const Given& given) { P::wanted(given); })
+    return {P::name, &P::wanted};
+  else
+    return {P::name, +[](const Given&) { return true; }};
+}
+
+/// Row of the density that the equations of motion take: that of the equation of state.
+template <class L, class P>
+constexpr int state_density_row(int row) {
+  if constexpr (requires { typename P::StateDensity; })
+    return component_offset<L::dimension, typename P::StateDensity, typename L::Fields>;
+  else
+    return row;
+}
+
+}  // namespace detail
+
 /// What scheme S tells the run that it serves.
 template <class S>
-SchemeFacts facts_of() {
+CompiledFacts facts_of() {
   using L = typename S::Layout;
-  SchemeFacts facts;
+  CompiledFacts facts;
   facts.mixed = std::is_same_v<typename S::PairNumber, float>;
+  facts.fields = field_places<L::dimension, typename L::Fields>;
   facts.rows = Particles<L>::Columns::size;
   facts.bytes_per_particle = bytes_per_particle<L>;
   facts.flops_per_pair = flops_per_pair<S>();
-  for_each_pass(typename S::Steps{}, [&]<class P>() {
+  for_each_type(typename S::StepPasses{}, [&]<class P>() {
     if (std::is_same_v<P, SmoothingLength>) facts.support_pass = static_cast<int>(facts.passes.size());
-    facts.passes.push_back(P::name);
+    facts.passes.push_back(detail::pass_facts<P>());
+    facts.state_density_row = detail::state_density_row<L, P>(facts.state_density_row);
   });
-  const auto show = [&]<class F>(F, const char* name, const char* description, UnitExponents units) {
-    if constexpr (contains<F, typename L::Fields>)
-      facts.shown.push_back({name, description, units, component_offset<L::dimension, F, typename L::Fields>});
-  };
-  show(VelocityDivergence{}, "VelocityDivergence", "div v", {0, 0, -1});
-  show(Alpha{}, "Alpha", "Dissipation switch (S12 eq 21-23), before Balsara's factor", {});
-  show(Balsara{}, "BalsaraFactors", "Balsara factor", {});
-  facts.state_density_row = component_offset<L::dimension, Density, typename L::Fields>;
-  if constexpr (FreeFunctionsOf<S>::general_density) {
-    facts.state_density_row = component_offset<L::dimension, GeneralDensity, typename L::Fields>;
-    show(GeneralDensity{}, "GeneralDensities", "Density of the equations of motion (R10 eq 19)", {-L::dimension, 1, 0});
-  }
   if constexpr (contains<Alpha, typename L::Fields>)
     facts.alpha_row = component_offset<L::dimension, Alpha, typename L::Fields>;
   return facts;
@@ -42,30 +54,47 @@ template <class S>
 class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
  public:
   using L = typename S::Layout;
+  static constexpr bool has_rates = std::is_same_v<typename S::PairNumber, double> && tells_rates<typename S::Recipe>;
 
   explicit PassesOf(const typename S::Kernel& kernel)
       : SchemePasses<BaseLayout<L>>(facts_of<S>()), smoothing_(kernel) {}
 
   void run(int pass, RunOf<L>& run) const override {
     int k = 0;
-    for_each_pass(typename S::Steps{}, [&]<class P>() {
+    for_each_type(typename S::StepPasses{}, [&]<class P>() {
       if (k++ == pass) run_pass<P, S>(run, smoothing_);
     });
   }
-  std::vector<Field> rates(const Particles<BaseLayout<L>>& particles, bool split) const override {
-    if constexpr (std::is_same_v<typename S::PairNumber, double>) {
-      const State<S> state{particles.template as<L>(), smoothing_};
-      std::vector<Field> fields =
-          rate_fields<typename S::RateTerms::List>(state.template as<L>(), sums_of_rates(state), split);
-      for (Field& field : errors(particles)) fields.push_back(std::move(field));
+
+  std::vector<Field> rates(const RunOf<L>& run, bool split) const override {
+    if constexpr (has_rates) {
+      const State<S> state{run.state.template as<L>(), smoothing_};
+      const HostColumns<L> host(state);
+      std::vector<Field> fields = shown_in_rates(host, this->facts.fields);
+      append_derived_rates<L>(fields, state, host, run.given);
+      const auto sums = sums_of_rates<S>(state, run.given);
+      using Sums = std::remove_const_t<decltype(sums)>;
+      const HostRows rows(host, sums.data, sums.stride);
+      for (Field& field : shown_in_rates(rows, field_places<S::dimension, typename Sums::Fields>))
+        fields.push_back(std::move(field));
+      if (split)
+        for (Field& field : shares(rows, shares_of_terms<typename S::RateTerms::List, Sums>()))
+          fields.push_back(std::move(field));
+      for (Field& field : errors(run.state)) fields.push_back(std::move(field));
       return fields;
     } else {
-      throw std::logic_error("rates are computed in double: make the simulation with precision \"double\"");
+      throw std::logic_error(
+          "rates are computed in double, by all terms: make the simulation with precision \"double\" "
+          "and all_terms");
     }
   }
 
   std::vector<Field> errors(const Particles<BaseLayout<L>>& particles) const override {
-    return error_fields<S>(particles.template as<L>(), smoothing_);
+    const auto judged = error_particles<typename S::Recipe>(particles.template as<L>());
+    if constexpr (errors_compiled_apart<S::dimension, typename S::Kernel>)
+      return error_fields_apart(judged, smoothing_);
+    else
+      return error_fields(judged, smoothing_);
   }
 
  private:

@@ -93,7 +93,22 @@ void Settings::declare(Key key) {
 }
 
 void Settings::prefer(std::string_view name, Value value) {
-  set(name, value, Origin::scene);
+  Key& key = const_cast<Key&>(find(name));
+  key.preferred = converted(key, value);
+  if (!set_by_user(name)) set(name, value, Origin::scene);
+}
+
+void Settings::set_standard(std::string_view name, Value value) {
+  if (find(name).origin == Origin::standard) set(name, value, Origin::standard);
+}
+
+void Settings::forget_preference(std::string_view name, Value standard) {
+  const_cast<Key&>(find(name)).preferred.reset();
+  if (!set_by_user(name)) set(name, standard, Origin::standard);
+}
+
+void Settings::remove(std::string_view name) {
+  std::erase_if(keys_, [&](const Key& key) { return key.name == name; });
 }
 
 void Settings::set(std::string_view name, const Value& value, Origin origin) {

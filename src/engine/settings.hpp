@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +24,7 @@ struct Key {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   Origin origin = Origin::standard;
+  std::optional<Value> preferred{};  ///< what the scene would have, whoever set the value
 };
 
 /// Every key that a run knows, with its value and who set it. Unknown names, wrong types and values out of range throw
@@ -30,8 +32,13 @@ struct Key {
 class Settings {
  public:
   void declare(Key key);
-  /// Changes the default of a declared key (a scene's own choice).
+  /// Changes the default of a declared key (a scene's own choice), and the value where no user has set it.
   void prefer(std::string_view name, Value value);
+  /// Gives a key that nobody has set another default.
+  void set_standard(std::string_view name, Value value);
+  /// Takes a scene's choice back, where no user has set the value.
+  void forget_preference(std::string_view name, Value standard);
+  void remove(std::string_view name);
   /// An integer is accepted where a real is wanted.
   void set(std::string_view name, const Value& value, Origin origin);
   /// Parses `text` by the key's type, as in `--set name=text`.
@@ -47,6 +54,7 @@ class Settings {
   const std::string& text(std::string_view name) const { return get<std::string>(name); }
 
   bool has(std::string_view name) const;
+  bool set_by_user(std::string_view name) const { return find(name).origin > Origin::scene; }
   const std::vector<Key>& keys() const { return keys_; }
   /// The known name closest to `name` by edit distance, for error messages.
   std::string nearest(std::string_view name) const;

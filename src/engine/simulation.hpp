@@ -5,39 +5,30 @@
 #include <string>
 #include <vector>
 
-#include "kernels/terms/term_set.hpp"
+#include "kernels/core/number.hpp"
 #include "src/engine/particle_set.hpp"
 #include "src/engine/saved_state.hpp"
 
 namespace sphk {
 
-/// Numbers of a run that the schemes read; names as in the settings' sections.
+/// What SimulationSettings::steps may be.
+inline constexpr const char *own_steps = "individual", *global_steps = "global";
+
+/// How a run computes. What is left empty, zero or out is the scheme's own (src/schemes/resolve.hpp).
 struct SimulationSettings {
   std::string scheme = "sph";       ///< any name of scheme_names()
-  std::string kernel = "cs";        ///< any name of kernel_names()
+  std::string kernel;               ///< any name of kernel_names()
   std::string precision = "mixed";  ///< mixed (float pairs, double state) | double
-  std::string energy = "entropy";   ///< entropy | energy: the thermal variable that is integrated
-  double neighbours = 48;           ///< N_n of S12 eq 11
+  std::string energy;               ///< entropy | energy: the thermal variable that is integrated
+  double neighbours = 0;            ///< N_n of S12 eq 11
   double gamma = 5.0 / 3;
-  double courant = 0.4;
-  double viscosity_alpha = 1;
-  double viscosity_beta = 2;
-  double alpha_entropy = 1, alpha_mass = 1;
-  MassCorrection mass_correction = MassCorrection::donor;
-  double alpha_conductivity = 1;       ///< V10's alpha_u (scheme v10); 0: no conductivity
-  std::string conductivity = "price";  ///< its signal velocity: price | v1 | v2
-  bool balsara = true;                 ///< Balsara's factor limits the viscosity of the classic schemes
-  double alpha_given = -1;             ///< of all particles; negative: the switch decides
-  double alpha_min = 0.2;
-  double switch_noise = 0.05;
-  bool balsara_limits_all = true;
-  bool motion = true;  ///< particles move; else only heat and mass pass between them
-  bool individual_steps = false;
+  double courant = 0;
+  std::string steps;         ///< own_steps (powers of two) | global_steps
   bool step_limiter = true;  ///< steps of neighbours stay within a factor 4
   double h_max = 0;          ///< cap of the support radius; 0: none but the box
   double max_dt = 0;         ///< 0: no cap
-  double central_mass = 0;   ///< G M of a mass at the origin that pulls the gas; 0: none
-  double softening = 0;      ///< of its potential - G M / sqrt(r^2 + softening^2)
+  Given numbers;             ///< of terms and passes, by key, such as {"viscosity.alpha", 0.5}
+  bool all_terms = false;    ///< terms that are idle are computed as well
 };
 
 /// Conserved sums and extremes over all particles, at the current time.

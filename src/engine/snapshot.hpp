@@ -7,7 +7,7 @@ namespace sphk {
 
 /// The state on the host, sorted by id, positions wrapped into the box.
 template <class L>
-Snapshot take_snapshot(const Particles<L>& particles, const SchemeFacts& facts, const Box& box, double time,
+Snapshot take_snapshot(const Particles<L>& particles, const CompiledFacts& facts, const Box& box, double time,
                        long step) {
   constexpr int D = L::dimension;
   const HostColumns<L> host(particles);
@@ -16,28 +16,29 @@ Snapshot take_snapshot(const Particles<L>& particles, const SchemeFacts& facts, 
   const auto pressure = [&](int i) {
     return L::ThermalForm::pressure(host.template at<Thermal>(i), state_density(i), gamma);
   };
-  const UnitExponents density{-D, 1, 0}, energy{2, 0, -2};
   Snapshot snapshot{
       .dimension = D, .box = box, .time = time, .step = step, .gamma = gamma, .id = host.ids, .fields = {}};
   auto& fields = snapshot.fields;
-  fields.push_back(host.template field<Position>("Coordinates", "Position", {1, 0, 0}));
+  const auto place_of = [&]<class F>(F) {
+    return FieldPlace{&F::facts, component_offset<D, F, BaseFields>, components<F, D>};
+  };
+  fields.push_back(host.field(place_of(Position{})));
   for (std::size_t i = 0; i < snapshot.id.size(); ++i)
     for (int d = 0; d < D; ++d) {
       double& x = fields[0].values[3 * i + d];
       x = particles.tree.domain.wrapped(x, d);
     }
-  fields.push_back(host.template field<Velocity>("Velocities", "Velocity", {1, 0, -1}));
-  fields.push_back(host.template field<Mass>("Masses", "Mass", {0, 1, 0}));
-  fields.push_back(host.template field<Density>("Densities", "Density, sum of m_j W(r_ij, h_i)", density));
-  fields.push_back(host.scalar("InternalEnergies", "Specific thermal energy", energy,
+  fields.push_back(host.field(place_of(Velocity{})));
+  fields.push_back(host.field(place_of(Mass{})));
+  fields.push_back(host.field(place_of(Density{})));
+  fields.push_back(host.scalar("InternalEnergies", "Specific thermal energy", {.length = 2, .time = -2},
                                [&](int i) { return pressure(i) / ((gamma - 1) * state_density(i)); }));
-  fields.push_back(host.scalar("Pressures", "Pressure", {2.0 - D, 1, -2}, pressure));
-  fields.push_back(host.template field<Support>("SmoothingLength", "Support radius: W = 0 for r >= h", {1, 0, 0}));
-  const UnitExponents entropy{2 + D * (gamma - 1), 1 - gamma, -2};
-  fields.push_back(host.scalar("Entropies", "Entropy function A = P / rho^gamma", entropy,
+  fields.push_back(host.scalar(Pressure::facts.name, Pressure::facts.description, Pressure::facts.unit, pressure));
+  fields.push_back(host.field(place_of(Support{})));
+  fields.push_back(host.scalar(Entropy::facts.name, Entropy::facts.description, Entropy::facts.unit,
                                [&](int i) { return pressure(i) / std::pow(state_density(i), gamma); }));
-  for (const ShownColumn& column : facts.shown)
-    fields.push_back(host.HostRows::field(column.name, column.description, column.units, 1, column.row, 1, 0));
+  for (const FieldPlace& place : facts.fields)
+    if (place.facts->shown == Shown::in_snapshots) fields.push_back(host.field(place));
   return snapshot;
 }
 

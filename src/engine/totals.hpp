@@ -42,8 +42,7 @@ struct SumTotals {
     one.mass = m;
     one.kinetic = 0.5 * m * v2;
     one.thermal = m * P / ((gamma - 1) * rho);
-    if (state.parameters.central_mass > 0)
-      one.potential = -m * state.parameters.central_mass / Kokkos::sqrt(state.softened_distance2(i));
+    one.potential = m * state.central.potential(state.position(i));
     one.max_speed2 = v2;
     for (int k = 0; k < 3; ++k) {
       const int a = (k + 1) % 3, b = (k + 2) % 3;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "kernels/passes/central_mass.hpp"
 #include "src/engine/errors.hpp"
-#include "src/schemes/registry.hpp"
 
 namespace sphk {
 
@@ -55,9 +55,8 @@ void check_runnable(const ParticleSet& p) {
   }
 }
 
-void check_runnable(const SimulationSettings& s, const ParticleSet& particles) {
+void check_runnable(const SimulationSettings& s, const ParticleSet& particles, double least) {
   const int dimension = particles.dimension;
-  const double least = min_neighbours(s.kernel, dimension);
   if (!(s.neighbours > least))
     throw InputError(fmt::format(
         "sph.neighbours = {}: kernel {} in {}D counts {:.4g} for the particle itself, so no support radius gives "
@@ -65,12 +64,13 @@ void check_runnable(const SimulationSettings& s, const ParticleSet& particles) {
         s.neighbours, s.kernel, dimension, least));
   if (!(s.gamma > 1)) throw InputError(fmt::format("sph.gamma = {}: it must be above 1", s.gamma));
   if (!(s.courant > 0)) throw InputError(fmt::format("time.courant = {}: it must be positive", s.courant));
+  const double mass = s.numbers[central_mass];
   for (int d = 0; d < dimension; ++d)
-    if (s.central_mass > 0 && particles.box.periodic[d])
+    if (mass > 0 && particles.box.periodic[d])
       throw InputError(
           fmt::format("gravity.central_mass = {}: the box is periodic along {}, and images of the central mass would "
                       "pull as well; take an open box, or no central mass",
-                      s.central_mass, "xyz"[d]));
+                      mass, "xyz"[d]));
 }
 
 }  // namespace sphk

@@ -10,7 +10,7 @@ namespace sphk {
 void check_runnable(const ParticleSet& particles);
 
 /// Throws InputError for settings that no run of these particles can meet, such as fewer neighbours than the self term
-/// counts.
-void check_runnable(const SimulationSettings& settings, const ParticleSet& particles);
+/// counts (`self_term`).
+void check_runnable(const SimulationSettings& settings, const ParticleSet& particles, double self_term);
 
 }  // namespace sphk

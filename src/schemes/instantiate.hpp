@@ -1,10 +1,11 @@
 #pragma once
 
-#include "kernels/smoothing/list.hpp"
-#include "kernels/terms/pressure_work.hpp"
+#include <algorithm>
+
 #include "src/engine/passes_of.hpp"
 #include "src/schemes/instantiation.hpp"
 #include "src/schemes/kernel_table.hpp"
+#include "src/schemes/shared_loops.hpp"
 
 namespace sphk {
 
@@ -24,59 +25,97 @@ std::unique_ptr<Simulation> make_engine(const ParticleSet& particles, const Simu
       particles, settings, std::make_unique<PassesOf<S>>(make_kernel<typename S::Kernel>(settings.kernel)));
 }
 
-/// What schemes that differ in kernel and pair arithmetic alone have in common.
-template <class M>
-SchemeDescription describe_model() {
-  using L = typename M::Layout;
-  using Steps = typename M::Steps;
-  using Terms = typename M::Terms;
-  SchemeDescription description;
-  description.dimension = L::dimension;
-  [&]<class... P>(Passes<P...>) { (description.passes.emplace_back(P::name), ...); }(Steps{});
-  for_each_type(Terms{}, [&]<class T>() { description.terms.emplace_back(T::name); });
-  for_each_type(typename L::Fields{}, [&]<class F>() { description.fields.emplace_back(F::name); });
-  for_each_type(typename Steps::Writes{}, [&]<class F>() {
-    if constexpr (!contains<F, typename L::Fields>)
-      description.left_out.push_back(std::string(F::name) + ": no term of this scheme reads them");
-  });
-  if constexpr (!contains<PressureWork, Terms>)
-    description.left_out.push_back("pressure work: the entropy function changes by dissipation alone");
-  return description;
+template <class T>
+constexpr TermFacts term_facts() {
+  if constexpr (requires(const Given& given, const GasTraits& gas) { T::idle(given, gas); })
+    return {T::name, &T::idle};
+  else
+    return {T::name, +[](const Given&, const GasTraits&) { return false; }};
 }
 
-template <class S>
-SchemeDescription describe_scheme() {
-  SchemeDescription description = describe_model<typename S::Model>();
-  description.precision = std::is_same_v<typename S::PairNumber, float> ? "mixed" : "double";
-  description.bytes_per_particle = bytes_per_particle<typename S::Layout>;
-  description.flops_per_pair = flops_per_pair<S>();
-  return description;
+template <class... T>
+std::vector<TermFacts> all_term_facts(List<T...>) {
+  return {term_facts<T>()...};
 }
 
-template <template <int, class, class> class S, int D, class T, class... K>
-void append(Instantiations& rows, const std::string& scheme, const std::string& energy, List<K...>,
-            Masses masses = Masses::any) {
-  const std::string precision = std::is_same_v<T, float> ? "mixed" : "double";
+/// Numbers of terms and passes, each once.
+template <class... T>
+std::vector<const Number*> all_numbers(List<T...>) {
+  std::vector<const Number*> numbers;
+  const auto append = [&](const auto& list) {
+    for (const Number* number : list)
+      if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
+  };
+  (append(NumbersOf<T>::type::list), ...);
+  return numbers;
+}
+
+template <int D, class... F>
+std::vector<FieldPlace> all_places(List<F...>) {
+  return {FieldPlace{&F::facts, 0, components<F, D>}...};
+}
+
+template <class K, int D>
+double self_term() {
+  if constexpr (std::is_same_v<K, Tabulated>)
+    return 0;
+  else
+    return unit_sphere<D> * K{}.norm(D) * K{}(0.0).w;
+}
+
+template <class Facts, class R, int D, class T, class... K>
+void append(Instantiations& rows, List<K...>) {
   [[maybe_unused]] const auto add = [&]<class Kernel>() {
-    std::string kernel;
+    using S = Scheme<R, D, Kernel, T>;
+    const char* kernel = nullptr;
     if constexpr (!std::is_same_v<Kernel, Tabulated>) kernel = Kernel::name;
-    using Instance = S<D, Kernel, T>;
-    rows.push_back({scheme, energy, D, precision, kernel, masses, make_engine<Instance>, describe_scheme<Instance>});
+    rows.push_back({.scheme = &Facts::facts,
+                    .energy = R::ThermalForm::name,
+                    .dimension = D,
+                    .precision = std::is_same_v<T, float> ? "mixed" : "double",
+                    .kernel = kernel,
+                    .complete = is_complete<R>,
+                    .flops = flops_per_pair<S>(),
+                    .self_term = self_term<Kernel, D>(),
+                    .serves = &serves<R>,
+                    .make = &make_engine<S>,
+                    .facts = &facts_of<S>,
+                    .terms = all_term_facts(typename R::RateTerms::List{}),
+                    .numbers = all_numbers(Union<typename R::RateTerms::List, typename R::StepPasses>{}),
+                    .written = all_places<D>(WrittenIn<R>{}),
+                    .left_out = R::ThermalForm::left_out});
   };
   (add.template operator()<K>(), ...);
 }
 
+/// The number types of pairs that recipe R is compiled for.
+template <class R>
+struct PairNumbersOf {
+  using type = List<float, double>;
+};
+template <class R>
+requires requires {
+  typename R::PairNumbers;
+}
+struct PairNumbersOf<R> {
+  using type = typename R::PairNumbers;
+};
+
+template <class S, int D, class T, class... R>
+void append_recipes(Instantiations& rows, List<R...>) {
+  const auto add = [&]<class One>() {
+    if constexpr (contains<T, typename PairNumbersOf<One>::type>)
+      append<S, One, D, T>(rows, typename One::Kernels::template in<D>{});
+  };
+  (add.template operator()<R>(), ...);
+}
+
 }  // namespace detail
 
-/// Rows for scheme S in D dimensions: mixed and double, with the curated kernels and with the table for all others.
-template <template <int, class, class> class S, int D, class... K>
-Instantiations instantiate(const std::string& scheme, const std::string& energy, List<K...> curated,
-                           Masses masses = Masses::any) {
+template <class S, int D, class T>
+Instantiations instantiate() {
   Instantiations rows;
-  detail::append<S, D, float>(rows, scheme, energy, curated, masses);
-  detail::append<S, D, double>(rows, scheme, energy, curated, masses);
-  detail::append<S, D, float>(rows, scheme, energy, List<Tabulated>{}, masses);
-  detail::append<S, D, double>(rows, scheme, energy, List<Tabulated>{}, masses);
+  detail::append_recipes<S, D, T>(rows, typename S::Recipes{});
   return rows;
 }
 

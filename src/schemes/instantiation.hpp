@@ -4,42 +4,44 @@
 #include <string>
 #include <vector>
 
-#include "src/engine/simulation.hpp"
+#include "src/engine/scheme_interface.hpp"
+#include "src/schemes/scheme_facts.hpp"
 
 namespace sphk {
 
-/// Which particles a compiled scheme serves.
-enum class Masses { any, equal };
+/// A term of a compiled recipe, for code that does not know its type.
+struct TermFacts {
+  const char* name;
+  bool (*idle)(const Given&, const GasTraits&);  ///< whether it has nothing to add
+};
 
-/// One compiled scheme: what it is called and how it is made. The rows of the one table that run time chooses from.
+/// One compiled recipe: what it is called, what it serves and how it is made. The rows of the one table that run time
+/// chooses from.
 struct Instantiation {
-  std::string scheme;  ///< the name that users give
-  std::string energy;  ///< entropy | energy
+  const SchemeFacts* scheme;
+  const char* energy;  ///< entropy | energy
   int dimension;
-  std::string precision;  ///< mixed | double
-  std::string kernel;     ///< empty: any, through the table
-  Masses masses;
+  const char* precision;  ///< mixed | double
+  const char* kernel;     ///< null: any, through the table
+  bool complete;          ///< every term and pass of the scheme
+  double flops;           ///< of a pair
+  double self_term;       ///< V_D N_D w(0): the neighbours that a particle alone counts; 0 through the table
+  bool (*serves)(const Given&, const GasTraits&);
   std::unique_ptr<Simulation> (*make)(const ParticleSet&, const SimulationSettings&);
-  SchemeDescription (*describe)();
+  CompiledFacts (*facts)();
+  std::vector<TermFacts> terms;
+  std::vector<const Number*> numbers;  ///< of its terms and passes
+  std::vector<FieldPlace> written;     ///< by its passes, whether or not anyone reads them
+  const char* left_out;                ///< what the thermal variable makes unnecessary; null: nothing
 };
 
 using Instantiations = std::vector<Instantiation>;
 
-// One source file each.
-Instantiations sph_entropy_1d(), sph_entropy_2d(), sph_entropy_3d();
-Instantiations sph_energy_1d(), sph_energy_2d(), sph_energy_3d();
-Instantiations tsph_1d(), tsph_2d(), tsph_3d();
-Instantiations tsph_energy();
-Instantiations osph_1d(), osph_2d(), osph_3d(), osph_energy(), osph_coherent();
-Instantiations v10_1d(), v10_2d(), v10_3d();
+/// Rows of scheme S in D dimensions with pair arithmetic in T. Defined in instantiate.hpp; one source file each.
+template <class S, int D, class T>
+Instantiations instantiate();
 
-Instantiations gadget2_1d(), gadget2_2d(), gadget2_3d();
-Instantiations sphs_1d(), sphs_2d(), sphs_3d();
-Instantiations sphs_multi_1d(), sphs_multi_2d(), sphs_multi_3d();
-Instantiations sphs_energy_1d(), sphs_energy_2d(), sphs_energy_3d();
-Instantiations sphs_energy_multi_1d(), sphs_energy_multi_2d(), sphs_energy_multi_3d();
-Instantiations sphs_conservative_1d(), sphs_conservative_2d(), sphs_conservative_3d();
-Instantiations sphs_rt();
-Instantiations glass();
+/// Those of every scheme of the list (src/schemes/CMakeLists.txt), which writes this function.
+Instantiations all_instantiations();
 
 }  // namespace sphk

@@ -3,26 +3,54 @@
 #include <algorithm>
 #include <regex>
 
+#include "src/schemes/registry.hpp"
+
 namespace sphk {
 
+namespace {
+
+/// The scheme that a paper means; the other paper's, where this one does not have it.
+const SchemeFacts* scheme_of(const std::string& label, const std::string& suffix, bool r10) {
+  const SchemeFacts* other = nullptr;
+  const auto is = [&](const char* name) { return name && label == name; };
+  for (const Instantiation& row : compiled_schemes()) {
+    const SchemeFacts& scheme = *row.scheme;
+    if (suffix != scheme.label_suffix) continue;
+    if (is(r10 ? scheme.r10_label : scheme.s12_label)) return &scheme;
+    if (is(r10 ? scheme.s12_label : scheme.r10_label)) other = &scheme;
+  }
+  return other;
+}
+
+/// The kernel that a paper writes so, or nothing.
+std::optional<std::string> kernel_of(std::string word) {
+  if (word == "HCT") return "hoct4";  // S12
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::vector<std::string> known = kernel_names();
+  return std::ranges::find(known, word) == known.end() ? std::nullopt : std::optional(word);
+}
+
+}  // namespace
+
 std::optional<KeyValues> keys_of_label(const std::string& text) {
-  static const std::regex label(
-      "(SPH|TSPH|OSPH|SPHS)-(CS|CT|HCT|HOCT[3458]|LIQ|M[56]|WC[246])(-?)([0-9]+)(e?)(-?multi)?(-?g)?");
-  std::smatch part;
-  if (!std::regex_match(text, part, label)) return std::nullopt;
-  const bool r10 = part[3].length() > 0, morris = part[5].length() > 0;
-  std::string scheme = part[1];
-  if (scheme == "SPH" && !r10) scheme = "gadget2";
-  if (morris && scheme != "SPHS") return std::nullopt;
-  std::string kernel = part[2] == "HCT" ? "HOCT4" : std::string(part[2]);
-  for (std::string* name : {&scheme, &kernel})
-    std::ranges::transform(*name, name->begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  KeyValues keys{
-      {"sph.scheme", morris ? scheme + "-morris" : scheme}, {"sph.kernel", kernel}, {"sph.neighbours", part[4]}};
-  if (scheme == "sphs") keys.emplace_back("sph.energy", "entropy");  // whatever the scene prefers
-  if (part[6].matched) keys.emplace_back("scene.masses", "multi");
-  if (part[7].matched) keys.emplace_back("scene.lattice", "glass");
-  return keys;
+  // HCT442 is HCT with 442 neighbours, WC2100 is WC2 with 100: kernels without a number of their own come first.
+  static const std::regex forms[] = {std::regex("([A-Z0-9]+)-([A-Z]+)(-?)([0-9]+)(e?)(-?multi)?(-?g)?"),
+                                     std::regex("([A-Z0-9]+)-([A-Z]+[0-9])(-?)([0-9]+)(e?)(-?multi)?(-?g)?")};
+  for (const std::regex& form : forms) {
+    std::smatch part;
+    if (!std::regex_match(text, part, form)) continue;
+    const auto kernel = kernel_of(part[2]);
+    const SchemeFacts* scheme = scheme_of(part[1], part[5], part[3].length() > 0);
+    if (!kernel || !scheme) continue;
+    KeyValues keys{{"sph.scheme", scheme->name},
+                   {"sph.kernel", *kernel},
+                   {"sph.neighbours", part[4]},
+                   {"sph.energy", EntropyForm::name}};  // whatever the scene prefers
+    if (part[6].matched) keys.emplace_back("scene.masses", "multi");
+    if (part[7].matched) keys.emplace_back("scene.lattice", "glass");
+    return keys;
+  }
+  return std::nullopt;
 }
 
 }  // namespace sphk

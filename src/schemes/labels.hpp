@@ -10,8 +10,8 @@ namespace sphk {
 /// Keys and their values, as in a scene file.
 using KeyValues = std::vector<std::pair<std::string, std::string>>;
 
-/// The keys that a paper's label stands for: S12's (SPHS-HCT442, SPH-CS42, with the suffixes e, -multi, -g; its SPH is
-/// GADGET-2's) and R10's (SPH-CS-128, TSPH-HOCT4-442). Nothing where `text` is no such label.
+/// The keys that a paper's label stands for: S12's (SPHS-HCT442, SPH-CS42, with the suffixes e, -multi, -g) and R10's
+/// (SPH-CS-128, TSPH-HOCT4-442), by what the schemes say of their labels. Nothing where `text` is no such label.
 std::optional<KeyValues> keys_of_label(const std::string& text);
 
 }  // namespace sphk

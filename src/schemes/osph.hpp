@@ -1,55 +1,45 @@
 #pragma once
 
 #include "kernels/passes/general_density.hpp"
-#include "kernels/terms/pressure_gradient_coherent.hpp"
 #include "kernels/terms/pressure_gradient_general.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/step.hpp"
 
 namespace sphk {
 
-/// Steps of the schemes with a generalised continuity equation.
+/// A step of the schemes with a generalised continuity equation.
 template <class Continuity, class Functions>
-using GeneralStep = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, Continuity, StateEquation,
-                           Functions, Rates, KickTimeStep, NextSteps>;
+using GeneralStep = Step<Continuity, EquationOfState<GeneralDensity>, BalsaraFactor, NoBalsaraFactor, Functions>;
 
 /// The generalised family of R10 eq 16-19: any eta, phi and zeta, types such as those of free_functions.hpp. With A
 /// integrated zeta plays no part.
 template <class Eta, class Phi>
-struct EntropyFamily {
-  template <int D, class K, class T>
-  struct Type : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                       TermSet<PressureGradientGeneral<Phi>, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,
-                       GeneralStep<GeneralContinuity<Eta>, FreeFunctions<Phi, One>>> {};
-};
+using EntropyFamily = Recipe<EntropyForm, ClassicDensity,
+                             TermSet<PressureGradientGeneral<Phi>, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>,
+                             GeneralStep<GeneralContinuity<Eta>, FreeFunctions<Phi, One>>>;
 template <class Eta, class Phi, class Zeta>
-struct EnergyFamily {
-  template <int D, class K, class T>
-  struct Type : Scheme<D, K, T, EnergyForm, ClassicDensity,
-                       TermSet<PressureGradientGeneral<Phi>, PressureWorkGeneral, ViscosityGingoldMonaghan,
-                               SignalVelocityMonaghan>,
-                       GeneralStep<GeneralContinuity<Eta>, FreeFunctions<Phi, Zeta>>> {};
-};
+using EnergyFamily = Recipe<
+    EnergyForm, ClassicDensity,
+    TermSet<PressureGradientGeneral<Phi>, PressureWorkGeneral, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>,
+    GeneralStep<GeneralContinuity<Eta>, FreeFunctions<Phi, Zeta>>>;
 
 /// OSPH, R10 Table 2.
-template <int D, class K, class T>
-struct OsphEntropy : EntropyFamily<InverseEntropyRoot, DensityItself>::Type<D, K, T> {};
-template <int D, class K, class T>
-struct OsphEnergy : EnergyFamily<InverseEnergy, DensityItself, InverseEnergy>::Type<D, K, T> {};
+struct Osph {
+  static constexpr SchemeFacts facts{.name = "osph",
+                                     .summary = "OSPH: pressures of the generalised density (R10)",
+                                     .usual = wide_kernels,
+                                     .courant = 0.4,
+                                     .r10_label = "OSPH",
+                                     .s12_label = "OSPH",
+                                     .differs = other_kernels};
 
-/// Pseudo-coherent OSPH with grad-h (R10 footnote 4): eta = phi = zeta.
-template <int D, class K, class T>
-struct OsphCoherentEntropy
-    : Scheme<
-          D, K, T, EntropyForm, ClassicDensity,
-          TermSet<PressureGradientCoherent<InverseEntropyRoot>, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,
-          GeneralStep<CoherentContinuity<InverseEntropyRoot>, FreeFunctions<InverseEntropyRoot, InverseEntropyRoot>>> {
+  struct Entropy : EntropyFamily<InverseEntropyRoot, DensityItself> {
+    using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
+  };
+  struct Energy : EnergyFamily<InverseEnergy, DensityItself, InverseEnergy> {
+    using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
+  };
+  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
 };
-template <int D, class K, class T>
-struct OsphCoherentEnergy
-    : Scheme<D, K, T, EnergyForm, ClassicDensity,
-             TermSet<PressureGradientCoherent<InverseEnergy>, PressureWorkCoherent, ViscosityGingoldMonaghan,
-                     SignalVelocityMonaghan>,
-             GeneralStep<CoherentContinuity<InverseEnergy>, FreeFunctions<InverseEnergy, InverseEnergy>>> {};
 
 }  // namespace sphk

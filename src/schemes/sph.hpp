@@ -3,18 +3,28 @@
 #include "kernels/terms/pressure_gradient_sph.hpp"
 #include "kernels/terms/pressure_work.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/step.hpp"
 
 namespace sphk {
 
 /// SPH as in R10: no grad-h, Gingold & Monaghan's viscosity with the Balsara switch.
-template <int D, class K, class T>
-struct SphEntropy
-    : Scheme<D, K, T, EntropyForm, ClassicDensity,
-             TermSet<PressureGradientSph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
-template <int D, class K, class T>
-struct SphEnergy : Scheme<D, K, T, EnergyForm, ClassicDensity,
-                          TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,
-                          ClassicStep> {};
+struct Sph {
+  static constexpr SchemeFacts facts{.name = "sph",
+                                     .summary = "SPH as in R10: no grad-h, Gingold & Monaghan's viscosity",
+                                     .courant = 0.4,
+                                     .r10_label = "SPH"};
+  using Steps = Step<StateEquation, BalsaraFactor, NoBalsaraFactor>;
+
+  struct Entropy : Recipe<EntropyForm, ClassicDensity,
+                          TermSet<PressureGradientSph, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
+    using Kernels = Curated<List<>, List<CubicSpline>, List<CubicSpline, Hoct<4>>>;
+  };
+  struct Energy
+      : Recipe<EnergyForm, ClassicDensity,
+               TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
+    using Kernels = Curated<List<>, List<>, List<>>;
+  };
+  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+};
 
 }  // namespace sphk

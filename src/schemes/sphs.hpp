@@ -2,54 +2,78 @@
 
 #include "kernels/terms/entropy_dissipation.hpp"
 #include "kernels/terms/mass_dissipation.hpp"
-#include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/pressure_gradient_tsph.hpp"
 #include "kernels/terms/pressure_work_tsph.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "kernels/terms/viscosity_switched.hpp"
-#include "src/engine/scheme.hpp"
+#include "src/schemes/step.hpp"
 
 namespace sphk {
 
-/// Passes of SPHS before and after what the momentum form and mass dissipation add.
-template <class... BeforeRates>
-struct SphsPasses {
-  template <class... AfterRates>
-  using With = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, BeforeRates...,
-                      Gradients, ConvergenceSwitch, Rates, AfterRates..., KickTimeStep, NextSteps>;
+/// A step of SPHS; passes of a pressure or momentum equation before the gradients.
+template <class... BeforeGradients>
+using SphsStep = typename Before<StateEquation, BeforeGradients..., Gradients, ConvergenceSwitch,
+                                 GivenAlpha>::template Then<MassExchange>;
+/// Terms of SPHS: a momentum equation with what pays for its work, and the dissipations.
+template <class... Pressure>
+using SphsTerms = TermSet<Pressure..., ViscositySwitched<>, EntropyDissipation<>, MassDissipation, SignalVelocity>;
+/// A step without a switch, and terms with one alpha for all.
+template <class Form, class... Pressure>
+using SphsConstant =
+    Recipe<Form, DivergenceSum,
+           TermSet<Pressure..., ViscositySwitched<ConstantAlpha>, EntropyDissipation<ConstantAlpha>, SignalVelocity>,
+           Step<StateEquation>>;
+
+/// A recipe of SPHS for equal masses.
+template <class Full>
+using EqualMasses = Without<Full, MassDissipation>;
+/// Kernels of the leaner recipes: no table.
+using SphsLeanKernels = ByDimension<List<>, List<WendlandC6>, List<Hoct<4>>>;
+
+/// SPHS (Read & Hayfield 2012, S12): the switch of the fitted velocity gradients drives every dissipation.
+struct Sphs {
+  static constexpr SchemeFacts facts{
+      .name = "sphs",
+      .summary = "SPHS: fitted gradients, a switch and three dissipations (Read & Hayfield 2012, S12)",
+      .usual = wide_kernels,
+      .steps = own_steps,
+      .mixing_energy = "energy",
+      .s12_label = "SPHS",
+      .differs = other_kernels};
+  using Wide = Curated<List<>, List<Hoct<4>, WendlandC6>, List<Hoct<4>>>;
+
+  struct Entropy : Recipe<EntropyForm, TermSet<>, SphsTerms<PressureGradientTsph>, SphsStep<>> {
+    using Kernels = Wide;
+  };
+  /// With u in place of A: eq 7 conserves energy with the work that it does, not with a constant A.
+  struct Energy : Recipe<EnergyForm, TermSet<>, SphsTerms<PressureGradientTsph, PressureWorkTsph>, SphsStep<>> {
+    using Kernels = Wide;
+  };
+  struct EqualEntropy : EqualMasses<Entropy> {
+    static constexpr bool rates = true;
+    using Kernels = Curated<List<>, List<Hoct<4>, WendlandC6>, List<Hoct<4>, WendlandC2, BSpline<5>, Liq>>;
+  };
+  struct EqualEnergy : EqualMasses<Energy> {
+    static constexpr bool rates = true;
+    using Kernels = Wide;
+  };
+  template <class Full>
+  struct Inviscid : Without<Full, MassDissipation, ViscositySwitched<>> {
+    using Kernels = SphsLeanKernels;
+  };
+  template <class Full>
+  struct Isentropic : Without<Full, MassDissipation, EntropyDissipation<>> {
+    using Kernels = SphsLeanKernels;
+  };
+  template <class Form, class... Pressure>
+  struct OneAlpha : SphsConstant<Form, Pressure...> {
+    using Kernels = SphsLeanKernels;
+    using LeftOut = List<MassDissipation>;
+    static constexpr bool lean = true;
+  };
+  using Recipes = List<Entropy, Energy, EqualEntropy, EqualEnergy, Inviscid<Entropy>, Inviscid<Energy>,
+                       Isentropic<Entropy>, Isentropic<Energy>, OneAlpha<EntropyForm, PressureGradientTsph>,
+                       OneAlpha<EnergyForm, PressureGradientTsph, PressureWorkTsph>>;
 };
-
-/// SPHS (Read & Hayfield 2012): the switch of the fitted velocity gradients drives every dissipation.
-template <int D, class K, class T>
-struct Sphs : Scheme<D, K, T, EntropyForm, TermSet<>,
-                     TermSet<PressureGradientTsph, ViscositySwitched, EntropyDissipation, SignalVelocity>,
-                     SphsPasses<>::With<>> {};
-
-/// The same for particles of unequal masses.
-template <int D, class K, class T>
-struct SphsMulti
-    : Scheme<D, K, T, EntropyForm, TermSet<>,
-             TermSet<PressureGradientTsph, ViscositySwitched, EntropyDissipation, MassDissipation, SignalVelocity>,
-             SphsPasses<>::With<MassExchange>> {};
-
-/// Both with u in place of A: eq 7 conserves energy with the work that it does, not with a constant A.
-template <int D, class K, class T>
-struct SphsEnergy
-    : Scheme<D, K, T, EnergyForm, TermSet<>,
-             TermSet<PressureGradientTsph, PressureWorkTsph, ViscositySwitched, EntropyDissipation, SignalVelocity>,
-             SphsPasses<>::With<>> {};
-template <int D, class K, class T>
-struct SphsEnergyMulti : Scheme<D, K, T, EnergyForm, TermSet<>,
-                                TermSet<PressureGradientTsph, PressureWorkTsph, ViscositySwitched, EntropyDissipation,
-                                        MassDissipation, SignalVelocity>,
-                                SphsPasses<>::With<MassExchange>> {};
-
-/// With the conservative momentum equation (S12 App. B).
-template <int D, class K, class T>
-struct SphsConservative
-    : Scheme<
-          D, K, T, EntropyForm, TermSet<>,
-          TermSet<PressureGradientConservative, ViscositySwitched, EntropyDissipation, MassDissipation, SignalVelocity>,
-          SphsPasses<GradH>::With<MassExchange>> {};
 
 }  // namespace sphk

@@ -3,18 +3,29 @@
 #include "kernels/terms/pressure_gradient_tsph.hpp"
 #include "kernels/terms/pressure_work.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/step.hpp"
 
 namespace sphk {
 
 /// TSPH, R10 Table 2: phi = rho in the momentum equation.
-template <int D, class K, class T>
-struct Tsph : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                     TermSet<PressureGradientTsph, ViscosityGingoldMonaghan, SignalVelocityMonaghan>, ClassicStep> {};
-template <int D, class K, class T>
-struct TsphEnergy
-    : Scheme<D, K, T, EnergyForm, ClassicDensity,
-             TermSet<PressureGradientTsph, PressureWork, ViscosityGingoldMonaghan, SignalVelocityMonaghan>,
-             ClassicStep> {};
+struct Tsph {
+  static constexpr SchemeFacts facts{.name = "tsph",
+                                     .summary = "TSPH: phi = rho in the momentum equation (R10)",
+                                     .courant = 0.4,
+                                     .r10_label = "TSPH",
+                                     .s12_label = "TSPH"};
+  using Steps = Step<StateEquation, BalsaraFactor, NoBalsaraFactor>;
+
+  struct Entropy : Recipe<EntropyForm, ClassicDensity,
+                          TermSet<PressureGradientTsph, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
+    using Kernels = Curated<List<>, List<>, List<CoreTriangle, Hoct<4>>>;
+  };
+  struct Energy
+      : Recipe<EnergyForm, ClassicDensity,
+               TermSet<PressureGradientTsph, PressureWork, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
+    using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
+  };
+  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+};
 
 }  // namespace sphk

@@ -5,36 +5,36 @@
 #include "kernels/terms/pressure_gradient_conservative.hpp"
 #include "kernels/terms/signal_velocity.hpp"
 #include "kernels/terms/viscosity_valcke.hpp"
-#include "src/schemes/classic.hpp"
+#include "src/schemes/step.hpp"
 
 namespace sphk {
 
-/// Passes of V10's scheme; those of a conductivity before the rates.
+/// Terms of V10's scheme with a conductivity.
+template <class Conductivity>
+using V10Terms = TermSet<PressureGradientConservative, ViscosityValcke<>, Conductivity, SignalVelocity>;
+/// Its step; passes of a conductivity before the rates.
 template <class... BeforeRates>
-using V10Step = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, StateEquation, GradH, BeforeRates...,
-                       Rates, KickTimeStep, NextSteps>;
+using V10Step = Step<StateEquation, BalsaraFactor, NoBalsaraFactor, GradH, BeforeRates...>;
 
 /// GADGET-2's scheme with V10's viscosity and artificial conductivity (V10 sec 2).
-template <int D, class K, class T>
-struct V10 : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                    TermSet<PressureGradientConservative, ViscosityValcke, ArtificialConductivity, SignalVelocity>,
-                    V10Step<>> {};
-/// With the signal velocity of smoothed pressures (V10 eq 6).
-template <int D, class K, class T>
-struct V10Smoothed
-    : Scheme<D, K, T, EntropyForm, ClassicDensity,
-             TermSet<PressureGradientConservative, ViscosityValcke, ArtificialConductivitySmoothed, SignalVelocity>,
-             V10Step<SmoothedPressures>> {};
-/// Without conductivity (V10's series NOAC).
-template <int D, class K, class T>
-struct V10Plain : Scheme<D, K, T, EntropyForm, ClassicDensity,
-                         TermSet<PressureGradientConservative, ViscosityValcke, SignalVelocity>, V10Step<>> {};
+struct V10 {
+  static constexpr SchemeFacts facts{
+      .name = "v10", .summary = "GADGET-2's scheme with artificial conductivity (Valcke et al. 2010, V10)"};
 
-/// V10 with u integrated and no work done on it: what relaxes an initial condition (V10 sec 4.5.1).
-template <int D, class K, class T>
-struct V10Relaxation
-    : Scheme<D, K, T, EnergyForm, ClassicDensity,
-             TermSet<PressureGradientConservative, ViscosityValcke, ArtificialConductivity, SignalVelocity>,
-             V10Step<>> {};
+  struct Entropy : Recipe<EntropyForm, ClassicDensity, V10Terms<ArtificialConductivity>, V10Step<>> {
+    using Kernels = Curated<List<>, List<CubicSpline, Liq>, List<>>;
+  };
+  /// With the signal velocity of smoothed pressures (V10 eq 6).
+  struct Smoothed
+      : Recipe<EntropyForm, ClassicDensity, V10Terms<ArtificialConductivitySmoothed>, V10Step<SmoothedPressures>> {
+    using Kernels = Curated<List<>, List<>, List<>>;
+  };
+  /// Without conductivity (V10's series NOAC).
+  struct Plain : Without<Entropy, ArtificialConductivity> {
+    using Kernels = Curated<List<>, List<>, List<>>;
+  };
+  using Recipes =
+      List<Entropy, Smoothed, Plain, Inviscid<Entropy, ViscosityValcke<>>, NoBalsara<Entropy, ViscosityValcke>>;
+};
 
 }  // namespace sphk

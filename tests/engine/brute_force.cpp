@@ -148,7 +148,8 @@ double BruteForce::pressure_force(MomentumForm form, int i, const Pair& pair) co
 }
 
 void BruteForce::pair_sums(int i) {
-  const double gamma = settings_.gamma, alpha = settings_.viscosity_alpha, beta = settings_.viscosity_beta;
+  const double gamma = settings_.gamma, alpha = settings_.numbers.value_or("viscosity.alpha", 1),
+               beta = settings_.numbers.value_or("viscosity.beta", 2);
   const bool gadget2 = settings_.scheme == "gadget2";
   const MomentumForm form = gadget2                     ? MomentumForm::conservative
                             : settings_.scheme == "sph" ? MomentumForm::sph

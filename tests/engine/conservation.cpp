@@ -58,7 +58,7 @@ double energy_drift(double dt) {
   for (Array3& v : gas.v)
     for (double& component : v) component *= 0.2;
   SimulationSettings s = in_double("gadget2");
-  s.viscosity_alpha = 0;
+  s.numbers.set("viscosity.alpha", 0);
   s.max_dt = dt;
   const auto run = make_simulation(gas, s);
   const double before = run->totals().energy();

@@ -199,12 +199,17 @@ struct DensityToThreeHalves {
   static constexpr const char* name = "rho^(3/2)";
   KOKKOS_INLINE_FUNCTION static double value(const GasValues& gas) { return Kokkos::pow(gas.rho, 1.5); }
 };
-template <int D, class K, class T>
-struct MarriWhite : EntropyFamily<One, DensityToThreeHalves>::Type<D, K, T> {};
+struct MarriWhite {
+  static constexpr SchemeFacts facts{.name = "marri-white", .summary = "phi = rho^(3/2) (Marri & White 2003)"};
+  struct Entropy : EntropyFamily<One, DensityToThreeHalves> {
+    using Kernels = ByDimension<List<>, List<CubicSpline>, List<>>;
+  };
+  using Recipes = List<Entropy>;
+};
 
 TEST(Family, takes_a_users_free_function) {
   const ParticleSet gas = shaken_lattice(2, {10, 10, 1}, 0.3, true, 5);
-  const SimulationSettings s{.scheme = "sph", .kernel = "cs", .precision = "double", .neighbours = 20};
+  SimulationSettings s{.scheme = "sph", .kernel = "cs", .precision = "double", .neighbours = 20};
   const BruteForce sums(gas, s);
   std::vector<double> rho(gas.size(), 0.0), P;
   for (int i = 0; i < 100; ++i) {
@@ -218,7 +223,8 @@ TEST(Family, takes_a_users_free_function) {
       const double ratio = std::pow(rho[i] / rho[j], 1.5);
       add(a[i], -gas.m[j] * (P[i] / (rho[i] * rho[i]) * ratio + P[j] / (rho[j] * rho[j]) / ratio) * pair.dW, pair.e);
     }
-  const auto run = detail::make_engine<MarriWhite<2, CubicSpline, double>>(gas, s);
+  s.scheme = MarriWhite::facts.name;
+  const auto run = make_simulation<MarriWhite>(gas, s);
   expect_near(named(run->rates(true), "AccelerationPressure"), flat(a), 1e-11, "a");
 }
 
@@ -249,9 +255,8 @@ double energy_drift(const std::string& scheme, double dt) {
                              .precision = "double",
                              .neighbours = 48,
                              .courant = 10,
-                             .viscosity_alpha = 0,
-                             .viscosity_beta = 0,
-                             .max_dt = dt};
+                             .max_dt = dt,
+                             .numbers = {{"viscosity.alpha", 0}, {"viscosity.beta", 0}}};
   const auto run = make_simulation(gas, s);
   const double before = run->totals().energy();
   while (run->time() < 0.032) run->step(0.032);
@@ -272,10 +277,12 @@ TEST_P(V10Heating, is_that_of_V10) {
                              .kernel = "cs",
                              .precision = "double",
                              .neighbours = 24,
-                             .viscosity_alpha = 0.9,
-                             .viscosity_beta = 1.5,
-                             .alpha_conductivity = signal == "none" ? 0 : 0.7,
-                             .conductivity = signal == "none" ? "price" : signal};
+                             .numbers = {{"viscosity.alpha", 0.9},
+                                         {"viscosity.beta", 1.5},
+                                         {"conductivity.alpha", signal == "none" ? 0 : 0.7},
+                                         {"conductivity.signal", signal == "v1"   ? 1
+                                                                 : signal == "v2" ? 2
+                                                                                  : 0}}};
   const BruteForce sums(gas, s);
   const auto &rho = sums.rho, &P = sums.P, &c = sums.c;
   std::vector<double> smooth(gas.size(), 0.0), conducted(gas.size(), 0.0), viscous(gas.size(), 0.0);

@@ -118,7 +118,7 @@ TEST(OddCases, a_time_step_that_vanishes_names_the_particle_and_the_remedy) {
   gas.u[1] = 1e40;  // C h / c is below 1e-20, and 1 + 1e-20 = 1
   const auto message = [&](bool individual) -> std::string {
     SimulationSettings settings = settings_for(48);
-    settings.individual_steps = individual;
+    settings.steps = individual ? own_steps : global_steps;
     try {
       make_simulation(gas, settings)->step(2);
     } catch (const NumericsError& error) {

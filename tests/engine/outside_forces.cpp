@@ -31,8 +31,7 @@ SimulationSettings orbit_settings(double courant) {
   s.precision = "double";
   s.neighbours = 12;
   s.courant = courant;
-  s.central_mass = GM;
-  s.softening = softening;
+  s.numbers = {{"gravity.central_mass", GM}, {"gravity.softening", softening}};
   return s;
 }
 
@@ -109,7 +108,7 @@ struct ColdGas {
     settings.scheme = "gadget2";
     settings.precision = "double";
     settings.neighbours = 40;
-    settings.individual_steps = individual;
+    settings.steps = individual ? own_steps : global_steps;
   }
 };
 

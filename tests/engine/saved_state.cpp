@@ -62,7 +62,7 @@ TEST(SavedState, GoesOnBitByBitUnderEveryScheme) {
         settings.scheme = scheme;
         settings.kernel = "wc6";
         settings.neighbours = D == 1 ? 8 : D == 2 ? 30 : 60;
-        settings.individual_steps = individual;
+        settings.steps = individual ? own_steps : global_steps;
         const auto whole = make_simulation(gas, settings);
         go(*whole, 11, 0.05);  // in the midst of a block of individual steps, and after a sort
         const SavedState saved = whole->save();

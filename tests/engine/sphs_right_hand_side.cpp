@@ -12,22 +12,24 @@
 namespace sphk::test {
 namespace {
 
+enum Form { donor, donor_unpaid, flux, particle };
+
 struct Case {
   std::string name, scheme, kernel;
   int dimension;
   Array3 counts;
   double neighbours;
   bool periodic, equal_masses;
-  MassCorrection form = MassCorrection::donor;
+  int form = donor;  ///< the place of a word of dissipation.mass_form
 };
 
 SphsOptions options_of(const Case& c) {
   SphsOptions options;
   if (c.scheme == "sphs-morris") options.momentum = MomentumForm::morris;
   if (c.scheme == "sphs-conservative") options.momentum = MomentumForm::conservative;
-  if (c.form == MassCorrection::flux) options.mass = MassForm::appendix_e;
-  if (c.form == MassCorrection::particle) options.mass = MassForm::s12;
-  options.pay_for_density = c.form == MassCorrection::donor;
+  if (c.form == flux) options.mass = MassForm::appendix_e;
+  if (c.form == particle) options.mass = MassForm::s12;
+  options.pay_for_density = c.form == donor;
   options.alpha_v = 0.7, options.alpha_A = 1.3, options.alpha_m = 0.9;
   return options;
 }
@@ -41,8 +43,10 @@ TEST_P(SphsRightHandSide, equals_the_explicit_sums) {
   const SphsOptions options = options_of(c);
   SimulationSettings s;
   s.scheme = c.scheme, s.kernel = c.kernel, s.neighbours = c.neighbours, s.precision = "double";
-  s.viscosity_alpha = options.alpha_v, s.alpha_entropy = options.alpha_A, s.alpha_mass = options.alpha_m;
-  s.mass_correction = c.form;
+  s.numbers = {{"viscosity.alpha", options.alpha_v}, {"dissipation.entropy", options.alpha_A}};
+  if (c.scheme != "sphs-rt")
+    s.numbers.set("dissipation.mass", options.alpha_m), s.numbers.set("dissipation.mass_form", c.form);
+  s.all_terms = true;
   const SphsReference wanted(gas, s, options);
   const auto got = make_simulation(gas, s)->rates(false);
   const double table = c.kernel == "hoct4" ? 1 : 1e4;  // others run through the table
@@ -58,20 +62,19 @@ TEST_P(SphsRightHandSide, equals_the_explicit_sums) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, SphsRightHandSide,
-    testing::Values(
-        Case{"equal_masses_3d", "sphs", "hoct4", 3, {9, 9, 9}, 128, true, true},
-        Case{"donor_3d", "sphs", "hoct4", 3, {9, 8, 9}, 128, true, false},
-        Case{"donor_3d_open", "sphs", "hoct4", 3, {7, 8, 9}, 96, false, false},
-        Case{"flux_3d_slab", "sphs", "hoct4", 3, {9, 9, 2}, 128, true, false, MassCorrection::flux},
-        Case{"donor_3d_slab_of_one_layer", "sphs", "hoct4", 3, {9, 9, 1}, 442, true, false},
-        Case{"particle_3d_table", "sphs", "ct", 3, {9, 8, 9}, 100, true, false, MassCorrection::particle},
-        Case{"donor_unpaid_2d", "sphs", "hoct4", 2, {14, 12, 1}, 40, true, false, MassCorrection::donor_unpaid},
-        Case{"equal_masses_2d_table", "sphs", "wc4", 2, {14, 12, 1}, 36, false, true},
-        Case{"donor_1d", "sphs", "wc2", 1, {40, 1, 1}, 8, true, false},
-        Case{"equal_masses_1d", "sphs", "m6", 1, {40, 1, 1}, 9, false, true},
-        Case{"morris_3d", "sphs-morris", "hoct4", 3, {9, 8, 9}, 128, true, false},
-        Case{"conservative_3d", "sphs-conservative", "hoct4", 3, {9, 8, 9}, 128, true, false},
-        Case{"conservative_2d", "sphs-conservative", "wc2", 2, {14, 12, 1}, 40, true, false}),
+    testing::Values(Case{"equal_masses_3d", "sphs", "hoct4", 3, {9, 9, 9}, 128, true, true},
+                    Case{"donor_3d", "sphs", "hoct4", 3, {9, 8, 9}, 128, true, false},
+                    Case{"donor_3d_open", "sphs", "hoct4", 3, {7, 8, 9}, 96, false, false},
+                    Case{"flux_3d_slab", "sphs", "hoct4", 3, {9, 9, 2}, 128, true, false, flux},
+                    Case{"donor_3d_slab_of_one_layer", "sphs", "hoct4", 3, {9, 9, 1}, 442, true, false},
+                    Case{"particle_3d_table", "sphs", "ct", 3, {9, 8, 9}, 100, true, false, particle},
+                    Case{"donor_unpaid_2d", "sphs", "hoct4", 2, {14, 12, 1}, 40, true, false, donor_unpaid},
+                    Case{"equal_masses_2d_table", "sphs", "wc4", 2, {14, 12, 1}, 36, false, true},
+                    Case{"donor_1d", "sphs", "wc2", 1, {40, 1, 1}, 8, true, false},
+                    Case{"equal_masses_1d", "sphs", "m6", 1, {40, 1, 1}, 9, false, true},
+                    Case{"morris_3d", "sphs-morris", "hoct4", 3, {9, 8, 9}, 128, true, false},
+                    Case{"conservative_3d", "sphs-conservative", "hoct4", 3, {9, 8, 9}, 128, true, false},
+                    Case{"conservative_2d", "sphs-conservative", "wc2", 2, {14, 12, 1}, 40, true, false}),
     [](const auto& info) { return info.param.name; });
 
 /// Where u is integrated, A changes by what the work of eq 7 is more than the adiabatic one, beside dissipation; and
@@ -102,7 +105,8 @@ TEST(SphsRt, pressure_and_force_equal_the_explicit_sums) {
   ParticleSet gas = shaken_lattice(3, {9, 8, 9}, 0.3, true, 11);
   gas.m.assign(gas.size(), gas.m[0]);
   SimulationSettings s;
-  s.scheme = "sphs-rt", s.kernel = "hoct4", s.neighbours = 128, s.precision = "double", s.alpha_given = 0;
+  s.scheme = "sphs-rt", s.kernel = "hoct4", s.neighbours = 128, s.precision = "double",
+  s.numbers.set("switch.alpha", 0);
   BruteForce wanted(gas, s);
   std::vector<double> root;
   for (std::size_t j = 0; j < gas.size(); ++j)

@@ -15,6 +15,7 @@ namespace {
 SimulationSettings in_double() {
   SimulationSettings s;
   s.scheme = "sphs", s.kernel = "hoct4", s.neighbours = 100, s.precision = "double", s.courant = 0.2;
+  s.steps = global_steps;
   return s;
 }
 
@@ -61,7 +62,7 @@ TEST(SphsRun, a_boost_changes_nothing_with_the_donors_correction) {
 /// S12's own correction stops the particle that gains mass, in whatever frame that is (S12 eq 39).
 TEST(SphsRun, a_boost_changes_the_result_of_s12s_correction) {
   SimulationSettings s = in_double();
-  s.mass_correction = MassCorrection::particle;
+  s.numbers.set("dissipation.mass_form", 3);  // particle
   const Snapshot rest = after_steps(unequal_gas(0), s, 5), moving = after_steps(unequal_gas(20), s, 5);
   EXPECT_GT(largest_difference(rest.field("InternalEnergies"), moving.field("InternalEnergies")), 1e-3);
 }
@@ -85,7 +86,7 @@ TEST(SphsRun, leaving_out_mass_dissipation_changes_nothing_where_masses_are_equa
 /// Strengths of zero leave an adiabatic gas: the entropies stay as they were.
 TEST(SphsRun, without_strengths_there_is_no_dissipation) {
   SimulationSettings s = in_double();
-  s.viscosity_alpha = s.alpha_entropy = s.alpha_mass = 0;
+  s.numbers = {{"viscosity.alpha", 0}, {"dissipation.entropy", 0}, {"dissipation.mass", 0}};
   const ParticleSet gas = unequal_gas(0);
   const auto run = make_simulation(gas, s);
   const Snapshot before = run->snapshot();
@@ -105,7 +106,7 @@ TEST(SphsRun, own_steps_follow_the_same_flow_with_fewer_updates) {
   SimulationSettings s = in_double();
   const double end = 0.02;
   const auto evolve = [&](bool individual) {
-    s.individual_steps = individual;
+    s.steps = individual ? own_steps : global_steps;
     auto run = make_simulation(gas, s);
     while (run->time() < end) run->step(end);
     return run;
@@ -122,7 +123,7 @@ TEST(SphsRun, own_steps_follow_the_same_flow_with_fewer_updates) {
 /// In the midst of a block of steps another end is asked for: the run stops there, all particles in step.
 TEST(SphsRun, own_steps_end_where_they_are_told_to) {
   SimulationSettings s = in_double();
-  s.individual_steps = true;
+  s.steps = own_steps;
   const auto run = make_simulation(unequal_gas(0), s);
   run->step(0.5);
   const double early = run->time() + 1e-3;

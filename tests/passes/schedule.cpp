@@ -14,7 +14,7 @@
 namespace sphk::test {
 namespace {
 
-using S = Gadget2<3, CubicSpline, double>;
+using S = Scheme<Gadget2::Entropy, 3, CubicSpline, double>;
 
 struct ScheduleTest : testing::Test {
   RunOf<S::Layout> run = loaded();
@@ -22,7 +22,8 @@ struct ScheduleTest : testing::Test {
   static RunOf<S::Layout> loaded() {
     SimulationSettings settings;
     settings.neighbours = 48;
-    settings.individual_steps = true;
+    settings.steps = own_steps;
+    settings.courant = 0.4;
     auto run = load_run<S>(shaken_lattice(3, {12, 9, 8}, 0.3, true, 21), settings, SmoothingOf<S>(CubicSpline{}));
     StateEquation::run<typename S::Layout>(run);
     run.state.clock.tick = 1.0 / static_cast<double>(StepClock::block);

@@ -11,7 +11,7 @@
 namespace sphk::test {
 namespace {
 
-using S = Gadget2<3, CubicSpline, double>;
+using S = Scheme<Gadget2::Entropy, 3, CubicSpline, double>;
 using Adds = S::RateTerms::Adds;
 
 struct ThreadWalkTest : testing::Test {
@@ -23,6 +23,8 @@ struct ThreadWalkTest : testing::Test {
     settings.neighbours = 48;
     auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, smoothing);
     StateEquation::run<typename S::Layout>(run);
+    BalsaraFactor::run<typename S::Layout>(run);
+    GradH::run<typename S::Layout>(run);
     return run;
   }
   template <class F>
@@ -38,7 +40,7 @@ void expect_close(const std::vector<double>& a, const std::vector<double>& b, do
 }
 
 TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
-  const S::RateTerms terms(run.state.parameters);
+  const S::RateTerms terms(run.given);
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
   const State<S> state{run.state.as<S::Layout>(), smoothing};
   add_pair_sums("tiles", state, terms, tiles);
@@ -55,7 +57,7 @@ TEST_F(ThreadWalkTest, supports_equal_those_of_the_tiles) {
   for (int i = 0; i < run.state.n; ++i) run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
   SupportCounts counts;
   Kokkos::parallel_reduce("threads", Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                          detail::FindSupport<S>(State<S>{run.state.as<S::Layout>(), smoothing}, 1e-7),
+                          detail::FindSupport<S>(State<S>{run.state.as<S::Layout>(), smoothing}, run.given, 1e-7),
                           Kokkos::Sum<SupportCounts>(counts));
   EXPECT_GT(counts.evaluations, run.state.n) << "the starts are off by 30 and 50 %";
   EXPECT_EQ(counts.failed + counts.capped + counts.crowded, 0);

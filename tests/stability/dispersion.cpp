@@ -104,7 +104,7 @@ double grown(const Array3& push, double neighbours, double end) {
   }
   SimulationSettings s;
   s.scheme = "sph", s.kernel = "cs", s.neighbours = neighbours, s.precision = "double", s.courant = 0.05;
-  s.viscosity_alpha = s.viscosity_beta = 0;
+  s.numbers = {{"viscosity.alpha", 0}, {"viscosity.beta", 0}};
   const auto run = make_simulation(gas, s);
   while (run->time() < end) run->step(end);
   const Snapshot after = run->snapshot();

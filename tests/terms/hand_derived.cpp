@@ -49,7 +49,8 @@ TEST(Terms, gingold_monaghan_viscosity) {
   // rho_ij = 3/8; Pi = (-alpha cbar mu + beta mu^2)/rho_ij * 3/4.
   const double mu = -1.875 / 2.265625, c_bar = 0.5 * (std::sqrt(2.0) + std::sqrt(6.0));
   const double Pi = (-1.5 * c_bar * mu + 3 * mu * mu) / 0.375 * 0.75, dW = 0.5 * (dW_i_1d + dW_j_1d);
-  const auto sum = share<ViscosityGingoldMonaghan, double, 1>(p.i, p.j, {.alpha = 1.5, .beta = 3});
+  const auto sum =
+      share<ViscosityGingoldMonaghan<>, double, 1>(p.i, p.j, {{"viscosity.alpha", 1.5}, {"viscosity.beta", 3}});
   EXPECT_NEAR(sum.a[0], -2 * Pi * dW, 4 * rounding * std::abs(2 * Pi * dW));
   EXPECT_NEAR(sum.du, 0.5 * 2 * Pi * -1 * dW, 4 * rounding * std::abs(Pi * dW));
   EXPECT_GT(sum.du, 0) << "viscosity heats";
@@ -60,7 +61,7 @@ TEST(Terms, signal_velocity_viscosity) {
   // v_sig = c_i + c_j - 3 w, w = -1; Pi = -(alpha/2) v_sig w / rho_ij times the mean Balsara factor 3/4.
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, Pi = 0.5 * 0.8 * v_sig / 0.375 * 0.75;
   const double dW = 0.5 * (dW_i_1d + dW_j_1d);
-  const auto sum = share<ViscositySignalVelocity, double, 1>(p.i, p.j, {.alpha = 0.8});
+  const auto sum = share<ViscositySignalVelocity<>, double, 1>(p.i, p.j, {{"viscosity.alpha", 0.8}});
   EXPECT_NEAR(sum.a[0], -2 * Pi * dW, 4 * rounding * std::abs(2 * Pi * dW));
   EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
 }
@@ -70,7 +71,7 @@ TEST(Terms, switched_viscosity) {
   // v_sig = c_i + c_j - 3 w, w = -1; Pi = -(alpha_v/2) alpha_ij v_sig w / rho_ij, alpha_ij = (1/2 + 1/4)/2.
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, Pi = 0.5 * 0.8 * 0.375 * v_sig / 0.375;
   const double dW = 0.5 * (dW_i_1d + dW_j_1d);
-  const auto sum = share<ViscositySwitched, double, 1>(p.i, p.j, {.alpha = 0.8});
+  const auto sum = share<ViscositySwitched<>, double, 1>(p.i, p.j, {{"viscosity.alpha", 0.8}});
   EXPECT_NEAR(sum.a[0], -2 * Pi * dW, 4 * rounding * std::abs(2 * Pi * dW));
   EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
 }
@@ -80,8 +81,8 @@ TEST(Terms, entropy_dissipation) {
   // (m_j/rho_ij) alpha_ij v_sig^p L_ij (u_i - u_j) dWbar: alpha_ij = (3/4 + 3/8)/2, L = 0.3/1.5, u = P/((gamma-1) rho).
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, dW = 0.5 * (dW_i_1d + dW_j_1d);
   const double wanted = 0.7 * 2 / 0.375 * 0.5625 * v_sig * 0.2 * (1.8 - 5.4) * dW;
-  const Parameters parameters{.gamma = 5.0 / 3, .alpha_entropy = 0.7};
-  EXPECT_NEAR((share<EntropyDissipation, double, 1>(p.i, p.j, parameters).du), wanted, 8 * rounding * wanted);
+  const Given given{{"sph.gamma", 5.0 / 3}, {"dissipation.entropy", 0.7}};
+  EXPECT_NEAR((share<EntropyDissipation<>, double, 1>(p.i, p.j, given).du), wanted, 8 * rounding * wanted);
 }
 
 TEST(Terms, largest_signal_velocity) {
@@ -95,11 +96,10 @@ TEST(Terms, largest_signal_velocity) {
 
 TEST(Terms, largest_signal_velocity_of_monaghan) {
   const TwoParticles<double, 1> p;
-  const Parameters parameters{.alpha = 1.5, .beta = 3};
+  const Given given{{"viscosity.alpha", 1.5}, {"viscosity.beta", 3}};
   const double mu = -1.875 / 2.265625, wanted = 2 * (2.5 * std::sqrt(2.0) - 3 * mu);
-  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.j, parameters).v_sig), wanted, rounding * wanted);
-  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, parameters).v_sig), 5 * std::sqrt(2.0),
-              rounding * wanted);
+  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.j, given).v_sig), wanted, rounding * wanted);
+  EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, given).v_sig), 5 * std::sqrt(2.0), rounding * wanted);
 }
 
 TEST(Terms, velocity_divergence_and_kernel_of_a_gather_pair) {

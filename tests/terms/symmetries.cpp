@@ -10,7 +10,7 @@ namespace {
 template <class Term>
 struct Symmetries : testing::Test {};
 using ForceTerms = testing::Types<PressureGradientSph, PressureGradientTsph, PressureGradientConservative,
-                                  ViscosityGingoldMonaghan, ViscositySignalVelocity, ViscositySwitched>;
+                                  ViscosityGingoldMonaghan<>, ViscositySignalVelocity<>, ViscositySwitched<>>;
 TYPED_TEST_SUITE(Symmetries, ForceTerms);
 
 TYPED_TEST(Symmetries, action_is_minus_reaction) {
@@ -56,7 +56,7 @@ TYPED_TEST(Symmetries, is_the_same_in_every_lane_of_a_pack) {
 
 template <class Term>
 struct Dissipation : testing::Test {};
-using DissipationTerms = testing::Types<ViscosityGingoldMonaghan, ViscositySignalVelocity, ViscositySwitched>;
+using DissipationTerms = testing::Types<ViscosityGingoldMonaghan<>, ViscositySignalVelocity<>, ViscositySwitched<>>;
 TYPED_TEST_SUITE(Dissipation, DissipationTerms);
 
 TYPED_TEST(Dissipation, conserves_energy_and_heats) {
@@ -99,8 +99,8 @@ TEST(EnergyBudget, of_the_pressure_force_and_its_work_is_closed) {
 /// Entropy dissipation moves heat from the particle with more of it to the other.
 TEST(EnergyBudget, of_entropy_dissipation_is_closed) {
   const TwoParticles<double, 3> p;  // u_i = 1.8, u_j = 5.4
-  const double to_i = p.i.m * share<EntropyDissipation, double, 3>(p.i, p.j).du,
-               to_j = p.j.m * share<EntropyDissipation, double, 3>(p.j, p.i).du;
+  const double to_i = p.i.m * share<EntropyDissipation<>, double, 3>(p.i, p.j).du,
+               to_j = p.j.m * share<EntropyDissipation<>, double, 3>(p.j, p.i).du;
   EXPECT_GT(to_i, 0);
   EXPECT_NEAR(to_i + to_j, 0, 1e-14 * to_i);
 }

@@ -39,11 +39,11 @@ Particle<T, D> seen_from(const Particle<T, D>& i, Particle<T, D> j) {
 
 /// The share of the pair in i's sums, for term `Term` and the cubic spline.
 template <class Term, class T, int D>
-SumsOf<Term, T, D> share(const Particle<T, D>& i, const Particle<T, D>& j, const Parameters& parameters = {}) {
+SumsOf<Term, T, D> share(const Particle<T, D>& i, const Particle<T, D>& j, const Given& given = {}) {
   SumsOf<Term, T, D> sum;
   set_zero(sum);
   const Smoothing<CubicSpline, D> smoothing(CubicSpline{});
-  const Term term(parameters);
+  const Term term(given);
   const Particle<T, D> neighbour = seen_from(i, j);
   term(sum, i, neighbour, symmetric_pair<T, D>(smoothing, i, neighbour));
   return sum;

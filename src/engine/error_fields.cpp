@@ -1,0 +1,35 @@
+#include <cmath>
+
+#include "src/engine/error_loops.hpp"
+
+namespace sphk::detail {
+
+namespace {
+
+Field changed(Field field, const FieldFacts& sum, const FieldFacts& facts, double (*change)(double)) {
+  if (field.name != sum.name) return field;
+  field.name = facts.name;
+  field.description = facts.description;
+  field.units = exponents(facts.unit, 3, 1);
+  for (double& value : field.values) value = change(value);
+  return field;
+}
+
+}  // namespace
+
+std::vector<Field> written_errors(const HostRows& rows, std::span<const FieldPlace> places) {
+  constexpr FieldFacts distance{.name = "NearestNeighbour",
+                                .description = "Distance of the nearest neighbour; 0: none within h",
+                                .unit = {.length = 1}};
+  const FieldFacts& contrast = EntropyContrast::facts;
+  std::vector<Field> fields;
+  for (const FieldPlace& place : places) {
+    Field field = changed(rows.field(place), InverseNearest::facts, distance,
+                          [](double inverse) { return inverse > 0 ? 1 / inverse : 0; });
+    fields.push_back(
+        changed(std::move(field), contrast, contrast, [](double ratio) { return ratio > 1 ? std::log(ratio) : 0; }));
+  }
+  return fields;
+}
+
+}  // namespace sphk::detail

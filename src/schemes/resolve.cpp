@@ -1,0 +1,227 @@
+#include "src/schemes/resolve.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "kernels/passes/kick_drift.hpp"
+#include "kernels/smoothing/list.hpp"
+#include "src/engine/errors.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace {
+
+/// Numbers that have a place of their own in SimulationSettings.
+constexpr const Number* with_a_place[] = {&neighbour_number, &largest_support, &courant_number, &adiabatic_index};
+
+bool has_a_place(const std::string& key) {
+  return std::ranges::any_of(with_a_place, [&](const Number* number) { return key == number->key; });
+}
+
+const Number* find(const std::vector<const Number*>& numbers, std::string_view key) {
+  const auto it = std::ranges::find_if(numbers, [&](const Number* number) { return number->key == key; });
+  return it == numbers.end() ? nullptr : *it;
+}
+
+bool is_flag(const Number& number) {
+  return number.words == off_or_on;
+}
+
+std::vector<std::string> words_of(const Number& number) {
+  std::vector<std::string> words;
+  for (const auto word : std::views::split(std::string_view(number.words), '|'))
+    words.emplace_back(word.begin(), word.end());
+  return words;
+}
+
+/// A number's value as users write it.
+Value value_of(const Number& number, double value) {
+  if (is_flag(number)) return value != 0;
+  if (number.words) return words_of(number)[static_cast<std::size_t>(value)];
+  return value;
+}
+
+double number_of(const Number& number, const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    const std::vector<std::string> words = words_of(number);
+    return static_cast<double>(std::ranges::find(words, *text) - words.begin());
+  }
+  return std::get<double>(value);
+}
+
+void declare_number(Settings& settings, const Number& number) {
+  const bool word = number.words && !is_flag(number);
+  settings.declare({.name = number.key,
+                    .value = value_of(number, number.standard),
+                    .doc = number.meaning,
+                    .choices = word ? words_of(number) : std::vector<std::string>{},
+                    .min = number.min,
+                    .max = number.max});
+}
+
+/// One number of each key, of all schemes.
+std::vector<const Number*> numbers_of_all() {
+  std::vector<const Number*> all;
+  for (const Instantiation& row : compiled_schemes())
+    for (const Number* number : row.numbers)
+      if (!find(all, number->key)) all.push_back(number);
+  return all;
+}
+
+[[noreturn]] void fail_without_number(const SchemeFacts& scheme, const std::string& key, const Instantiations& rows) {
+  std::vector<std::string> having;
+  for (const Instantiation& row : rows)
+    if (!row.scheme->hidden && find(row.numbers, key) && std::ranges::find(having, row.scheme->name) == having.end())
+      having.emplace_back(row.scheme->name);
+  if (having.empty()) throw InputError(fmt::format("no scheme has a number \"{}\"", key));
+  throw InputError(fmt::format("{} is no key of the scheme {}; {} {} it", key, scheme.name, fmt::join(having, ", "),
+                               having.size() == 1 ? "has" : "have"));
+}
+
+/// The thermal variables that a scheme integrates, its first the default.
+const char* first_energy(const SchemeFacts& scheme, const Instantiations& rows) {
+  const auto row = std::ranges::find(rows, &scheme, &Instantiation::scheme);
+  return row->energy;
+}
+
+std::string standard_energy(const SchemeFacts& scheme, bool mixes) {
+  return mixes ? scheme.mixing_energy : first_energy(scheme, compiled_schemes());
+}
+
+const KernelChoice& usual_of(const SchemeFacts& scheme, int dimension) {
+  return scheme.usual[static_cast<std::size_t>(dimension - 1)];
+}
+
+/// Kernel and neighbours of the scheme, the scene or the user, in that order of growing weight; what the scene prefers
+/// holds where it is its own scheme that runs.
+void adopt_kernel(Settings& settings, const SchemeFacts& scheme, int dimension) {
+  const auto preferred = std::ranges::find(settings.keys(), "sph.scheme", &Key::name)->preferred;
+  const std::string& of_scene = preferred ? std::get<std::string>(*preferred) : scheme.name;
+  const KernelChoice& usual = usual_of(scheme, dimension);
+  if (of_scene != scheme.name)
+    for (const char* key : {"sph.kernel", "sph.neighbours"})
+      settings.forget_preference(
+          key, std::string_view(key) == "sph.kernel" ? Value(std::string(usual.kernel)) : Value(usual.neighbours));
+  settings.set_standard("sph.kernel", std::string(usual.kernel));
+  const std::string& kernel = settings.text("sph.kernel");
+  // A neighbour number that the scene prefers is meant for the kernel that it prefers.
+  if (settings.set_by_user("sph.kernel") && !settings.set_by_user("sph.neighbours"))
+    settings.forget_preference("sph.neighbours", usual_neighbours(scheme, kernel, dimension));
+  settings.set_standard("sph.neighbours", usual_neighbours(scheme, kernel, dimension));
+}
+
+}  // namespace
+
+const SchemeFacts& scheme_facts(const std::string& name, const Instantiations& rows) {
+  for (const Instantiation& row : rows)
+    if (row.scheme->name == name) return *row.scheme;
+  throw InputError(fmt::format("there is no scheme \"{}\"; schemes are {}", name, fmt::join(scheme_names(), ", ")));
+}
+
+std::vector<const Number*> numbers_of(const SchemeFacts& scheme, const Instantiations& rows) {
+  std::vector<const Number*> all;
+  for (const Instantiation& row : rows)
+    for (const Number* number : row.numbers)
+      if (row.scheme == &scheme && !find(all, number->key)) all.push_back(number);
+  return all;
+}
+
+double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, int dimension) {
+  const KernelChoice& usual = usual_of(scheme, dimension);
+  if (kernel == usual.kernel) return usual.neighbours;
+  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
+  try {
+    const double spacings = with_kernel(kernel, [](const auto& k) { return k.spacings; });
+    return std::max(usual.neighbours, std::round(sphere * std::pow(spacings, dimension)));
+  } catch (const std::invalid_argument&) {  // a kernel of one's own
+    return usual.neighbours;
+  }
+}
+
+SimulationSettings resolved(SimulationSettings settings, int dimension, const Instantiations& rows) {
+  const SchemeFacts& scheme = scheme_facts(settings.scheme, rows);
+  const std::vector<const Number*> known = numbers_of(scheme, rows);
+  for (const auto& [key, value] : settings.numbers.values())
+    if (!find(known, key)) fail_without_number(scheme, key, rows);
+  if (settings.kernel.empty()) settings.kernel = usual_of(scheme, dimension).kernel;
+  if (settings.neighbours == 0) settings.neighbours = usual_neighbours(scheme, settings.kernel, dimension);
+  if (settings.energy.empty()) settings.energy = first_energy(scheme, rows);
+  if (settings.courant == 0) settings.courant = scheme.courant;
+  if (settings.steps.empty()) settings.steps = scheme.steps;
+  return settings;
+}
+
+void declare_engine_keys(Settings& settings) {
+  const SimulationSettings standard;
+  settings.declare({"sph.scheme", standard.scheme, "method of the momentum equation", scheme_names()});
+  settings.declare({"sph.kernel", "cs", "smoothing kernel; liq takes its core edge, as in liq0.4", {}});
+  declare_number(settings, neighbour_number);
+  settings.declare({"sph.precision",
+                    standard.precision,
+                    "pair arithmetic: float with double state and sums, or double",
+                    {"mixed", "double"}});
+  settings.declare(
+      {"sph.energy", EntropyForm::name, "integrated thermal variable", {EntropyForm::name, EnergyForm::name}});
+  declare_number(settings, adiabatic_index);
+  declare_number(settings, largest_support);
+  for (const Number* number : numbers_of_all())
+    if (!has_a_place(number->key)) declare_number(settings, *number);
+  settings.declare({"time.steps",
+                    global_steps,
+                    "steps of the particles' own in powers of two, or one for all",
+                    {own_steps, global_steps}});
+  settings.declare(
+      {"time.limiter",
+       standard.step_limiter,
+       "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009), and begin with one step for all",
+       {}});
+  declare_number(settings, courant_number);
+  settings.declare({"time.max_dt", standard.max_dt, "largest time-step; 0: no limit", {}, 0, 1e300});
+}
+
+void adopt_scheme(Settings& settings, int dimension, bool mixes) {
+  const SchemeFacts& scheme = scheme_facts(settings.text("sph.scheme"), compiled_schemes());
+  const std::vector<const Number*> own = numbers_of(scheme, compiled_schemes());
+  for (const Number* number : numbers_of_all()) {
+    if (has_a_place(number->key) || !settings.has(number->key)) continue;
+    if (const Number* mine = find(own, number->key))
+      settings.set_standard(number->key, value_of(*mine, mine->standard));
+    else if (settings.set_by_user(number->key))
+      fail_without_number(scheme, number->key, compiled_schemes());
+    else
+      settings.remove(number->key);
+  }
+  adopt_kernel(settings, scheme, dimension);
+  settings.set_standard("sph.energy", standard_energy(scheme, mixes));
+  settings.set_standard("time.steps", std::string(scheme.steps));
+  settings.set_standard("time.courant", scheme.courant);
+}
+
+SimulationSettings simulation_settings(const Settings& settings) {
+  SimulationSettings simulation{.scheme = settings.text("sph.scheme"),
+                                .kernel = settings.text("sph.kernel"),
+                                .precision = settings.text("sph.precision"),
+                                .energy = settings.text("sph.energy"),
+                                .neighbours = settings.real("sph.neighbours"),
+                                .gamma = settings.real("sph.gamma"),
+                                .courant = settings.real("time.courant"),
+                                .steps = settings.text("time.steps"),
+                                .step_limiter = settings.flag("time.limiter"),
+                                .h_max = settings.real("sph.h_max"),
+                                .max_dt = settings.real("time.max_dt")};
+  const SchemeFacts& scheme = scheme_facts(simulation.scheme, compiled_schemes());
+  for (const Number* number : numbers_of(scheme, compiled_schemes())) {
+    const auto key = std::ranges::find(settings.keys(), number->key, &Key::name);
+    if (!has_a_place(number->key) && key != settings.keys().end())
+      simulation.numbers.set(number->key, number_of(*number, key->value));
+  }
+  return simulation;
+}
+
+}  // namespace sphk

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "kernels/passes/damping.hpp"
+#include "kernels/terms/pair_limiter.hpp"
+#include "kernels/terms/velocity_gradient.hpp"
+#include "src/engine/scheme.hpp"
+#include "src/schemes/scheme_facts.hpp"
+#include "src/schemes/shared_loops.hpp"
+
+namespace sphk {
+
+/// A step: passes that prepare what the terms read, the rates, passes that follow them.
+template <class... BeforeRates>
+struct Before {
+  template <class... AfterRates>
+  using Then = Passes<KickDrift, SortedCells, ActiveParticles, SmoothingLength, BeforeRates..., Rates, AfterRates...,
+                      CentralPull, KickTimeStep, NextSteps>;
+};
+template <class... BeforeRates>
+using Step = typename Before<BeforeRates...>::template Then<>;
+
+/// The smoothing kernels that a recipe has in closed form, in 1D, 2D and 3D; any other runs through the table.
+template <class Line, class Plane, class Space>
+using Curated = ByDimension<Union<Line, List<Tabulated>>, Union<Plane, List<Tabulated>>, Union<Space, List<Tabulated>>>;
+
+/// A classic recipe without its viscosity, for where that is idle;
+template <class Full, class Viscosity>
+struct Inviscid : Without<Full, Viscosity> {
+  using Kernels = typename Full::Kernels;
+};
+/// and with a viscosity that Balsara's factor does not limit.
+template <class Full, template <class> class Viscosity>
+struct NoBalsara : Replacing<Full, Viscosity<BalsaraLimited>, Viscosity<Unlimited>> {
+  using Kernels = typename Full::Kernels;
+};
+/// Classic recipes, each with these two.
+template <template <class> class Viscosity, class... Full>
+using ClassicRecipes = List<Full..., Inviscid<Full, Viscosity<BalsaraLimited>>..., NoBalsara<Full, Viscosity>...>;
+
+/// What the density loop of the classic schemes adds up for Balsara's factor and the prediction of h.
+using ClassicDensity = GradientSums;
+
+}  // namespace sphk
