@@ -85,8 +85,8 @@ struct GivenAlpha {
   template <class L>
   static void run(RunOf<L>& run) {
     const double alpha = run.given[switch_alpha];
-    fill<ViscosityAlpha>(run.state.template as<L>(), alpha);
-    fill<DissipationAlpha>(run.state.template as<L>(), alpha);
+    fill<ViscosityAlpha, L>(run, alpha);
+    fill<DissipationAlpha, L>(run, alpha);
   }
 };
 

@@ -118,17 +118,6 @@ struct ClosingKick {
   }
 };
 
-template <class L>
-struct PullToCentre {
-  Particles<L> state;
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    if (!state.active.contains(i)) return;
-    const auto x = state.position(i);
-    const double rate2 = state.central.rate2(x);
-    for (int d = 0; d < L::dimension; ++d) state.template at<Acceleration>(i, d) -= rate2 * x[d];
-  }
-};
-
 }  // namespace detail
 
 /// Opening kick over half a step of the particles whose step begins, drift of all, everything predicted to the drift's
@@ -158,8 +147,7 @@ struct CentralPull {
   static bool wanted(const Given& given) { return given[central_mass] > 0; }
   template <class L>
   static void run(RunOf<L>& run) {
-    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::PullToCentre<BaseLayout<L>>{run.state});
+    pull_to_centre(run.state);
   }
 };
 

@@ -92,27 +92,27 @@ struct Run {
 template <class L>
 using RunOf = Run<BaseLayout<L>>;
 
+/// Adds the pull of the central mass to the accelerations of the active particles. This and the next: defined in
+/// sorted_cells.hpp, compiled once for all schemes.
+template <class L>
+void pull_to_centre(const Particles<L>& state);
+/// Gives a row of the columns one value.
+template <class L>
+void fill_row(const Particles<L>& state, int row, double value);
+
 /// Gives every particle the same value of field F, where there is such a field.
 template <class F, class L>
-void fill(const Particles<L>& state, double value) {
-  if constexpr (contains<F, typename L::Fields>) {
-    const auto first = static_cast<std::size_t>(component_offset<L::dimension, F, typename L::Fields>) *
-                       static_cast<std::size_t>(state.columns.stride);
-    Kokkos::deep_copy(ExecutionSpace(),
-                      Kokkos::subview(state.columns.data, std::pair(first, first + static_cast<std::size_t>(state.n))),
-                      value);
-  }
+void fill(const RunOf<L>& run, double value) {
+  if constexpr (contains<F, typename L::Fields>)
+    fill_row(run.state, component_offset<L::dimension, F, typename L::Fields>, value);
 }
 
-/// Runs pass P of scheme S. A pass over pairs needs the scheme's smoothing kernel and pair arithmetic, others know its
-/// layout alone.
-template <class P, class S>
-void run_pass(RunOf<typename S::Layout>& run, const SmoothingOf<S>& smoothing) {
-  if constexpr (requires { P::over_pairs; })
-    P::template run<S>(run, smoothing);
-  else
-    P::template run<typename S::Layout>(run);
-}
+/// A pass over pairs needs the scheme's smoothing kernel and pair arithmetic, `run<S>(run, smoothing)`; others know its
+/// layout alone, `run<L>(run)`.
+template <class P>
+inline constexpr bool is_over_pairs = requires {
+  P::over_pairs;
+};
 
 }  // namespace sphk
 

@@ -15,7 +15,35 @@ bool strayed(const Domain<D>& domain, const Bounds<D>& all) {
   return false;
 }
 
+template <class L>
+struct PullToCentre {
+  Particles<L> state;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    if (!state.active.contains(i)) return;
+    const auto x = state.position(i);
+    const double rate2 = state.central.rate2(x);
+    for (int d = 0; d < L::dimension; ++d) state.template at<Acceleration>(i, d) -= rate2 * x[d];
+  }
+};
+
+struct FillRow {
+  double* row;
+  double value;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const { row[i] = value; }
+};
+
 }  // namespace detail
+
+template <class L>
+void pull_to_centre(const Particles<L>& state) {
+  Kokkos::parallel_for("central mass", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::PullToCentre<L>{state});
+}
+
+template <class L>
+void fill_row(const Particles<L>& state, int row, double value) {
+  double* first = state.columns.data.data() + static_cast<std::size_t>(row) * state.columns.stride;
+  Kokkos::parallel_for("fill", Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::FillRow{first, value});
+}
 
 template <class L>
 void fit_cells(const Particles<L>& state) {

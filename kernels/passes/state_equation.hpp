@@ -138,7 +138,7 @@ struct NoBalsaraFactor {
   static bool wanted(const Given& given) { return !BalsaraFactor::wanted(given); }
   template <class L>
   static void run(RunOf<L>& run) {
-    fill<Balsara>(run.state.template as<L>(), 1);
+    fill<Balsara, L>(run, 1);
   }
 };
 

@@ -2,7 +2,17 @@
 
 #include "src/engine/error_loops.hpp"
 
-namespace sphk::detail {
+namespace sphk {
+
+template <int D>
+Columns<D, typename ErrorLayout<D>::Fields> error_columns(int n) {
+  return {"errors", n};
+}
+template Columns<1, ErrorLayout<1>::Fields> error_columns<1>(int n);
+template Columns<2, ErrorLayout<2>::Fields> error_columns<2>(int n);
+template Columns<3, ErrorLayout<3>::Fields> error_columns<3>(int n);
+
+namespace detail {
 
 namespace {
 
@@ -32,4 +42,6 @@ std::vector<Field> written_errors(const HostRows& rows, std::span<const FieldPla
   return fields;
 }
 
-}  // namespace sphk::detail
+}  // namespace detail
+
+}  // namespace sphk

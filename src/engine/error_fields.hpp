@@ -70,8 +70,7 @@ Particles<ErrorLayout<L::dimension>> error_particles(const Particles<L>& state) 
   constexpr int D = L::dimension;
   using Phi = decltype(detail::phi_of(typename R::RateTerms::List{}));
   using Eta = decltype(detail::eta_of(typename R::StepPasses{}));
-  Particles<ErrorLayout<D>> particles{state.n, Columns<D, typename ErrorLayout<D>::Fields>("errors", state.n),
-                                      state.ids, state.tree, state.parameters};
+  Particles<ErrorLayout<D>> particles{state.n, error_columns<D>(state.n), state.ids, state.tree, state.parameters};
   Kokkos::parallel_for("columns for errors", Kokkos::RangePolicy<ExecutionSpace>(0, state.n),
                        detail::FillErrorColumns<L, Phi, Eta>{state, particles.columns});
   return particles;

@@ -13,6 +13,13 @@ using ErrorLayout =
     Layout<D, List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, Entropy>, void>;
 using ErrorTermSet = TermSet<ErrorTerms, NeighbourhoodTerms>;
 
+/// Columns of those fields, allocated.
+template <int D>
+Columns<D, typename ErrorLayout<D>::Fields> error_columns(int n);
+extern template Columns<1, ErrorLayout<1>::Fields> error_columns<1>(int n);
+extern template Columns<2, ErrorLayout<2>::Fields> error_columns<2>(int n);
+extern template Columns<3, ErrorLayout<3>::Fields> error_columns<3>(int n);
+
 /// E0, R and V of every particle (R10 eq 28-30), how unlike its neighbours' entropies are and how near the nearest is,
 /// by id. Cells and supports are those of the last step. Defined in error_loops.hpp.
 template <int D, class K>

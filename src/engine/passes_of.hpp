@@ -29,23 +29,42 @@ constexpr int state_density_row(int row) {
 
 }  // namespace detail
 
-/// What scheme S tells the run that it serves.
-template <class S>
-CompiledFacts facts_of() {
-  using L = typename S::Layout;
+/// What a recipe with layout L tells the run that it serves, but for what hangs on kernel and pair arithmetic. Apart
+/// from the schemes that differ in these two alone, as is what follows: a compiler's time is long.
+template <class R, class L>
+[[gnu::noinline]] CompiledFacts facts_of_recipe() {
   CompiledFacts facts;
-  facts.mixed = std::is_same_v<typename S::PairNumber, float>;
   facts.fields = field_places<L::dimension, typename L::Fields>;
   facts.rows = Particles<L>::Columns::size;
   facts.bytes_per_particle = bytes_per_particle<L>;
-  facts.flops_per_pair = flops_per_pair<S>();
-  for_each_type(typename S::StepPasses{}, [&]<class P>() {
+  for_each_type(typename R::StepPasses{}, [&]<class P>() {
     if (std::is_same_v<P, SmoothingLength>) facts.support_pass = static_cast<int>(facts.passes.size());
     facts.passes.push_back(detail::pass_facts<P>());
     facts.state_density_row = detail::state_density_row<L, P>(facts.state_density_row);
   });
   if constexpr (contains<Alpha, typename L::Fields>)
     facts.alpha_row = component_offset<L::dimension, Alpha, typename L::Fields>;
+  return facts;
+}
+
+/// Runs a pass that needs neither.
+template <class R, class L>
+[[gnu::noinline]] void run_particle_pass(int pass, RunOf<L>& run) {
+  int k = 0;
+  for_each_type(typename R::StepPasses{}, [&]<class P>() {
+    const bool here = k++ == pass;
+    if constexpr (!is_over_pairs<P>) {
+      if (here) P::template run<L>(run);
+    }
+  });
+}
+
+/// What scheme S tells the run that it serves.
+template <class S>
+CompiledFacts facts_of() {
+  CompiledFacts facts = facts_of_recipe<typename S::Recipe, typename S::Layout>();
+  facts.mixed = std::is_same_v<typename S::PairNumber, float>;
+  facts.flops_per_pair = flops_per_pair<S>();
   return facts;
 }
 
@@ -61,9 +80,14 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
 
   void run(int pass, RunOf<L>& run) const override {
     int k = 0;
+    bool over_pairs = false;
     for_each_type(typename S::StepPasses{}, [&]<class P>() {
-      if (k++ == pass) run_pass<P, S>(run, smoothing_);
+      const bool here = k++ == pass;
+      if constexpr (is_over_pairs<P>) {
+        if (here) P::template run<S>(run, smoothing_), over_pairs = true;
+      }
     });
+    if (!over_pairs) run_particle_pass<typename S::Recipe, L>(pass, run);
   }
 
   std::vector<Field> rates(const RunOf<L>& run, bool split) const override {

@@ -17,7 +17,9 @@ struct Gadget2 {
                           Step<StateEquation, BalsaraFactor, NoBalsaraFactor, GradH>> {
     using Kernels = Curated<List<>, List<CubicSpline>, List<CubicSpline, WendlandC6>>;
   };
-  using Recipes = ClassicRecipes<ViscositySignalVelocity, Entropy>;
+  using Lean = ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>;
+  using Recipes = List<Entropy, Inviscid<Entropy, ViscositySignalVelocity<>, Lean>,
+                       NoBalsara<Entropy, ViscositySignalVelocity, Lean>>;
 };
 
 }  // namespace sphk

@@ -112,10 +112,11 @@ void append_recipes(Instantiations& rows, List<R...>) {
 
 }  // namespace detail
 
-template <class S, int D, class T>
+template <class S, int D>
 Instantiations instantiate() {
   Instantiations rows;
-  detail::append_recipes<S, D, T>(rows, typename S::Recipes{});
+  detail::append_recipes<S, D, float>(rows, typename S::Recipes{});
+  detail::append_recipes<S, D, double>(rows, typename S::Recipes{});
   return rows;
 }
 

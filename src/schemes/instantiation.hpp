@@ -37,8 +37,8 @@ struct Instantiation {
 
 using Instantiations = std::vector<Instantiation>;
 
-/// Rows of scheme S in D dimensions with pair arithmetic in T. Defined in instantiate.hpp; one source file each.
-template <class S, int D, class T>
+/// Rows of scheme S in D dimensions. Defined in instantiate.hpp; one source file each.
+template <class S, int D>
 Instantiations instantiate();
 
 /// Those of every scheme of the list (src/schemes/CMakeLists.txt), which writes this function.

@@ -14,9 +14,7 @@ std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, Simula
   const auto append = [&](Instantiations&& some) {
     for (Instantiation& row : some) rows.push_back(std::move(row));
   };
-  append(instantiate<S, 1, float>()), append(instantiate<S, 1, double>());
-  append(instantiate<S, 2, float>()), append(instantiate<S, 2, double>());
-  append(instantiate<S, 3, float>()), append(instantiate<S, 3, double>());
+  append(instantiate<S, 1>()), append(instantiate<S, 2>()), append(instantiate<S, 3>());
   settings.scheme = S::facts.name;
   return make_simulation(particles, settings, rows);
 }

@@ -39,7 +39,9 @@ struct Osph {
   struct Energy : EnergyFamily<InverseEnergy, DensityItself, InverseEnergy> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
-  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+  using Lean = ByDimension<List<>, List<>, List<Hoct<4>>>;
+  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
+                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
 };
 
 }  // namespace sphk

@@ -28,7 +28,7 @@ struct OsphCoherent {
                          GeneralStep<CoherentContinuity<InverseEnergy>, FreeFunctions<InverseEnergy, InverseEnergy>>> {
     using Kernels = Curated<List<>, List<>, List<>>;
   };
-  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+  using Recipes = List<Entropy, Energy>;
 };
 
 }  // namespace sphk

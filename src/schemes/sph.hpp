@@ -24,7 +24,9 @@ struct Sph {
                TermSet<PressureGradientSph, PressureWork, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
     using Kernels = Curated<List<>, List<>, List<>>;
   };
-  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+  using Lean = ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>;
+  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
+                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
 };
 
 }  // namespace sphk

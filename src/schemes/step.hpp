@@ -24,18 +24,15 @@ template <class Line, class Plane, class Space>
 using Curated = ByDimension<Union<Line, List<Tabulated>>, Union<Plane, List<Tabulated>>, Union<Space, List<Tabulated>>>;
 
 /// A classic recipe without its viscosity, for where that is idle;
-template <class Full, class Viscosity>
+template <class Full, class Viscosity, class LeanKernels>
 struct Inviscid : Without<Full, Viscosity> {
-  using Kernels = typename Full::Kernels;
+  using Kernels = LeanKernels;
 };
 /// and with a viscosity that Balsara's factor does not limit.
-template <class Full, template <class> class Viscosity>
+template <class Full, template <class> class Viscosity, class LeanKernels>
 struct NoBalsara : Replacing<Full, Viscosity<BalsaraLimited>, Viscosity<Unlimited>> {
-  using Kernels = typename Full::Kernels;
+  using Kernels = LeanKernels;
 };
-/// Classic recipes, each with these two.
-template <template <class> class Viscosity, class... Full>
-using ClassicRecipes = List<Full..., Inviscid<Full, Viscosity<BalsaraLimited>>..., NoBalsara<Full, Viscosity>...>;
 
 /// What the density loop of the classic schemes adds up for Balsara's factor and the prediction of h.
 using ClassicDensity = GradientSums;

@@ -25,7 +25,9 @@ struct Tsph {
                TermSet<PressureGradientTsph, PressureWork, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
-  using Recipes = ClassicRecipes<ViscosityGingoldMonaghan, Entropy, Energy>;
+  using Lean = ByDimension<List<>, List<>, List<Hoct<4>>>;
+  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
+                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
 };
 
 }  // namespace sphk

@@ -33,8 +33,9 @@ struct V10 {
   struct Plain : Without<Entropy, ArtificialConductivity> {
     using Kernels = Curated<List<>, List<>, List<>>;
   };
-  using Recipes =
-      List<Entropy, Smoothed, Plain, Inviscid<Entropy, ViscosityValcke<>>, NoBalsara<Entropy, ViscosityValcke>>;
+  using Lean = ByDimension<List<>, List<CubicSpline>, List<>>;
+  using Recipes = List<Entropy, Smoothed, Plain, Inviscid<Entropy, ViscosityValcke<>, Lean>,
+                       NoBalsara<Entropy, ViscosityValcke, Lean>>;
 };
 
 }  // namespace sphk

@@ -1,6 +1,6 @@
 # cmake -DROAD=installed|folder -DSOURCE=... -DBUILD=... -DWORK=... -DGENERATOR=...
 #       -DKOKKOS=... -DSETTINGS=FILE "-DTARGETS=a b" -P consumer.cmake
-# Builds tests/setup/consumer against sphk, installed from the build folder or added as a folder, and runs it.
+# Builds docs/examples against sphk, installed from the build folder or added as a folder, and runs it.
 # SETTINGS is an initial cache, as a preset is.
 cmake_minimum_required(VERSION 3.24)
 
@@ -14,7 +14,7 @@ else()
   set(options "-DSPHK_FOLDER=${SOURCE}" "-DKokkos_ROOT=${KOKKOS}")
 endif()
 execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -C "${SETTINGS}" ${options}
-                        -S "${SOURCE}/tests/setup/consumer" -B "${WORK}/build"
+                        -S "${SOURCE}/docs/examples" -B "${WORK}/build"
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK}/build" --target ${TARGETS} COMMAND_ERROR_IS_FATAL ANY)
 foreach(target IN LISTS TARGETS)
