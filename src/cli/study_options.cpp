@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "src/cli/platform.hpp"
 #include "src/engine/errors.hpp"
+#include "src/report/process.hpp"
 #include "src/study/plan.hpp"
 
 namespace sphk {
@@ -14,7 +14,7 @@ namespace sphk {
 namespace {
 
 /// An option whose values, with commas between them, are an axis of a study.
-void axis(CLI::App& app, StudyOptions& study, const std::string& name, const std::string& key, const std::string& doc) {
+void axis(CLI::App& app, StudyRequest& study, const std::string& name, const std::string& key, const std::string& doc) {
   app.add_option_function<std::vector<std::string>>(
          name,
          [&study, key](const std::vector<std::string>& values) {
@@ -48,9 +48,9 @@ std::string preset_lines() {
 
 }  // namespace
 
-void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out,
-                       std::string& report) {
-  app.add_option("what", study.what,
+void add_study_options(CLI::App& app, StudyRequest& study, std::vector<std::string>& studies,
+                       std::vector<std::string>& sets, std::string& out, std::string& report) {
+  app.add_option("what", studies,
                  "a scene with an exact solution or converged runs, a study file (*.toml), a preset, or: compare STUDY "
                  "STUDY")
       ->required()

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands.hpp"
+#include "src/study/study_request.hpp"
 
 namespace CLI {
 class App;
@@ -11,8 +11,9 @@ class App;
 
 namespace sphk {
 
-/// The options of `sphk study`: axes into `study`, --set into `sets`, --out into `out`, --report into `report`.
-void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out,
-                       std::string& report);
+/// The options of `sphk study`: what is studied into `studies`, axes and the like into `study`, --set into `sets`,
+/// --out into `out`, --report into `report`.
+void add_study_options(CLI::App& app, StudyRequest& study, std::vector<std::string>& studies,
+                       std::vector<std::string>& sets, std::string& out, std::string& report);
 
 }  // namespace sphk

@@ -140,6 +140,37 @@ TEST_F(Executable, AJsonLogHoldsNothingButJson) {
   EXPECT_GT(count, 2);
 }
 
+/// The last line of what was printed.
+nlohmann::json last_object(const std::string& text) {
+  const auto end = text.find_last_not_of('\n');
+  const auto begin = text.rfind('\n', end);
+  return nlohmann::json::parse(text.substr(begin == std::string::npos ? 0 : begin + 1));
+}
+
+TEST_F(Executable, AJsonLogTellsOfErrorsToo) {
+  const std::pair<const char*, int> wrong[] = {
+      {"run sodd", 2},
+      {"run sod --set sph.kernal=cs", 2},
+      {"run sod --kernal cs", 2},
+      {"run sod --kernel wc3", 2},
+      {"run noh -n 8 --set scene.dimension=2 --set scene.lattice=cubic --set time.courant=10", 3}};
+  for (const auto& [arguments, code] : wrong) {
+    const Result result = sphk(std::string(arguments) + " --json-log");
+    EXPECT_EQ(result.code, code) << result.text;
+    EXPECT_EQ(last_object(result.text)["exit_code"], code) << result.text;
+    EXPECT_FALSE(last_object(result.text)["error"].get<std::string>().empty());
+  }
+}
+
+TEST_F(Executable, AJsonLogEndsWithWhatTheRunCameTo) {
+  const auto end = last_object(sphk(std::string(small_run) + " --json-log").text);
+  EXPECT_EQ(end["finished"], true);
+  EXPECT_EQ(end["folder"], "uniform-run");
+  const auto told = last_object(sphk(std::string(small_run) + " --dry-run --json-log").text);
+  EXPECT_EQ(told["dry_run"]["particles"], 512);
+  EXPECT_EQ(told["dry_run"]["steps"], 3);
+}
+
 TEST_F(Executable, RatesKeepTheOrderOfTheFile) {
   ASSERT_EQ(sphk(small_run).code, 0);
   const Result result =
