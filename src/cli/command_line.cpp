@@ -9,69 +9,13 @@
 #include <memory>
 #include <sstream>
 
-#include "src/cli/commands.hpp"
-#include "src/cli/study_options.hpp"
+#include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
 #include "src/run/platform.hpp"
 
 namespace sphk {
 
 namespace {
-
-/// Everything the options write to, and what the command then does; lives as long as the request.
-struct Options {
-  Request request;
-  std::string what, file;
-  std::vector<std::string> sets;
-  std::vector<Override> shortcuts;
-  std::string out, report, resume;
-  int threads = 0;
-  RunOptions run;
-  PlotRequest plot;
-  StabilityOptions stability;
-  StudyRequest study;
-  std::vector<std::string> studies;  ///< what `sphk study` is given: one, or the word compare and two
-  std::vector<std::string> scenes;
-  bool split = false;
-  std::string alpha = "auto";
-};
-
-std::optional<std::filesystem::path> path_of(const std::string& text) {
-  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
-}
-
-/// The shortcuts and the --set options, in that order.
-std::vector<Override> overrides(const Options& o) {
-  std::vector<Override> all = o.shortcuts;
-  for (const std::string& text : o.sets) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos)
-      throw InputError(fmt::format("--set {}: write KEY=VALUE, such as --set sph.kernel=cs", text));
-    all.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
-  }
-  return all;
-}
-
-/// What a command does once its options are read: on Kokkos, or without it.
-void computes(CLI::App& app, Options& o, std::function<int()> act) {
-  app.callback([&o, act] { o.request = {act, true, o.threads}; });
-}
-void acts(CLI::App& app, Options& o, std::function<int()> act) {
-  app.callback([&o, act] { o.request = {act}; });
-}
-
-/// An option that is short for `--set key=...`.
-void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
-              const std::string& doc) {
-  const std::string spelling = name.substr(0, name.find(','));
-  app.add_option_function<std::string>(
-         name,
-         [&o, key, spelling](const std::string& text) {
-           o.shortcuts.push_back({key, text, spelling + " " + text});
-         },
-         doc)
-      ->type_name(type);
-}
 
 /// 90, 1:30 or 0:01:30 in seconds.
 double seconds_of(const std::string& text) {
@@ -94,15 +38,7 @@ void add_physics(CLI::App& app, Options& o) {
   shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
   shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
   shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
-  app.add_option("--set", o.sets, "set a key of the scene file; once for each key")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_threads(CLI::App& app, Options& o) {
-  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
+  add_sets(app, o, "set a key of the scene file");
 }
 
 void add_run(CLI::App& root, Options& o) {
@@ -254,20 +190,6 @@ void add_inspection(CLI::App& root, Options& o) {
   CLI::App& check = *ic.add_subcommand("check", "look for NaN, zero masses, duplicate ids, coincident particles, ...");
   check.add_option("file", o.file, "an HDF5 initial condition")->required();
   acts(check, o, [&o] { return ic_check_command(o.file); });
-}
-
-void add_study(CLI::App& root, Options& o) {
-  CLI::App& app = *root.add_subcommand("study", "error against run time, over every combination of what is listed");
-  add_study_options(app, o.study, o.studies, o.sets, o.out, o.report);
-  acts(app, o, [&o] {
-    const auto& what = o.studies;
-    if (what[0] == "compare" && what.size() == 3) return study_compare_command(what[1], what[2], o.study.norm);
-    if (what[0] == "compare" || what.size() > 1)
-      throw InputError("sphk study takes one scene, study file or preset, or the word compare and two studies");
-    for (const Override& fixed : overrides(o)) o.study.fixed.emplace_back(fixed.name, fixed.text);
-    o.study.what = what[0], o.study.out = path_of(o.out), o.study.report = path_of(o.report);
-    return study_command(o.study);
-  });
 }
 
 /// The parser's message, the nearest option or command to each word that is none, and where the help is.

@@ -4,15 +4,9 @@
 
 #include "src/cli/commands.hpp"
 #include "src/io/check.hpp"
-#include "src/io/info.hpp"
 #include "src/io/reader.hpp"
 
 namespace sphk {
-
-int info_command(const std::string& file) {
-  fmt::print("{}\n", file_info(file));
-  return ExitCode::done;
-}
 
 int ic_check_command(const std::string& file) {
   const ReadResult content = read_particles(file, NonFinite::keep);
