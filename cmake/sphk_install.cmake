@@ -8,7 +8,7 @@ target_include_directories(sphk_library INTERFACE "$<BUILD_INTERFACE:${PROJECT_S
                                                   "$<INSTALL_INTERFACE:include/sphk>")
 
 set(sphk_exported sphk_library sphk_kernels)
-foreach(part engine schemes scenes io report stability)
+foreach(part engine schemes scenes io report stability run)
   if(TARGET sphk_${part})
     target_link_libraries(sphk_library INTERFACE sphk_${part})
     set_target_properties(sphk_${part} PROPERTIES EXPORT_NAME ${part})

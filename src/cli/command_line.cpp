@@ -9,59 +9,13 @@
 #include <memory>
 #include <sstream>
 
-#include "src/cli/commands.hpp"
-#include "src/cli/platform.hpp"
-#include "src/cli/study_options.hpp"
+#include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
+#include "src/run/platform.hpp"
 
 namespace sphk {
 
 namespace {
-
-/// Everything the options write to; lives as long as the request.
-struct Options {
-  std::string what, file;
-  std::vector<std::string> sets;
-  std::vector<Override> shortcuts;
-  std::string out, report, resume;
-  int threads = 0;
-  RunOptions run;
-  PlotOptions plot;
-  StabilityOptions stability;
-  StudyOptions study;
-  std::vector<std::string> scenes;
-  bool split = false;
-  std::string alpha = "auto";
-};
-
-std::optional<std::filesystem::path> path_of(const std::string& text) {
-  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
-}
-
-/// The shortcuts and the --set options, in that order.
-std::vector<Override> overrides(const Options& o) {
-  std::vector<Override> all = o.shortcuts;
-  for (const std::string& text : o.sets) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos)
-      throw InputError(fmt::format("--set {}: write KEY=VALUE, such as --set sph.kernel=cs", text));
-    all.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
-  }
-  return all;
-}
-
-/// An option that is short for `--set key=...`.
-void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
-              const std::string& doc) {
-  const std::string spelling = name.substr(0, name.find(','));
-  app.add_option_function<std::string>(
-         name,
-         [&o, key, spelling](const std::string& text) {
-           o.shortcuts.push_back({key, text, spelling + " " + text});
-         },
-         doc)
-      ->type_name(type);
-}
 
 /// 90, 1:30 or 0:01:30 in seconds.
 double seconds_of(const std::string& text) {
@@ -84,15 +38,7 @@ void add_physics(CLI::App& app, Options& o) {
   shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
   shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
   shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
-  app.add_option("--set", o.sets, "set a key of the scene file; once for each key")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-void add_threads(CLI::App& app, Options& o) {
-  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
+  add_sets(app, o, "set a key of the scene file");
 }
 
 void add_run(CLI::App& root, Options& o) {
@@ -109,10 +55,10 @@ void add_run(CLI::App& root, Options& o) {
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
   app.add_option_function<std::string>(
-         "--walltime", [&o](const std::string& text) { o.run.walltime = seconds_of(text); },
+         "--walltime", [&o](const std::string& text) { o.run.request.walltime = seconds_of(text); },
          "stop with a checkpoint before so much wall-clock time is over: seconds, M:S or H:M:S")
       ->type_name("TIME");
-  app.add_flag("--overwrite", o.run.overwrite, "replace the run that the folder of --out holds");
+  app.add_flag("--overwrite", o.run.request.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
   app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
   app.footer(
@@ -124,6 +70,17 @@ void add_run(CLI::App& root, Options& o) {
       "and exit\nwith 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` continues bit by bit, on as "
       "many threads.\n"
       "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped with a checkpoint.");
+  computes(app, o, [&o] {
+    if (o.what.empty() && o.resume.empty()) throw InputError("sphk run takes a scene or file, or --resume DIR");
+    if (!o.resume.empty() && (!o.shortcuts.empty() || !o.sets.empty() || !o.out.empty()))
+      throw InputError(
+          "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
+          "--json-log go with it");
+    RunRequest& request = o.run.request;
+    request.what = o.what, request.overrides = overrides(o);
+    request.resume = path_of(o.resume), request.out = path_of(o.out);
+    return run_command(o.run);
+  });
 }
 
 void add_plot(CLI::App& root, Options& o) {
@@ -144,6 +101,10 @@ void add_plot(CLI::App& root, Options& o) {
       "  sphk plot sod-run gresho-run --conservation --out conserved.png\n"
       "  sphk plot kh12-run kh12-run-2 --errors --out errors.png\n"
       "  sphk plot sod-run sod-run-2 sod-run-3 --profile rho --out tubes.png");
+  acts(app, o, [&o] {
+    o.plot.out = path_of(o.out);
+    return plot_command(o.plot);
+  });
 }
 
 void add_rates(CLI::App& root, Options& o) {
@@ -160,6 +121,7 @@ void add_rates(CLI::App& root, Options& o) {
   app.footer(
       "Computes in double, unless --precision says otherwise.\nExample:\n"
       "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
+  computes(app, o, [&o] { return rates_command({o.what, overrides(o), o.out, o.split, o.alpha}); });
 }
 
 void add_stability(CLI::App& root, Options& o) {
@@ -175,6 +137,10 @@ void add_stability(CLI::App& root, Options& o) {
   app.footer(
       "Examples:\n  sphk stability --kernel hoct4 --neighbours 442\n"
       "  sphk stability --kernel cs --neighbours 32 --lattice square --out maps");
+  acts(app, o, [&o] {
+    o.stability.out = path_of(o.out);
+    return stability_command(o.stability);
+  });
 }
 
 void add_gallery(CLI::App& root, Options& o) {
@@ -185,6 +151,7 @@ void add_gallery(CLI::App& root, Options& o) {
   app.footer(
       "The folder gets index.html (one page, nothing beside it needed), gallery.png and the runs. It takes about two\n"
       "minutes on two cores.\nExamples:\n  sphk gallery\n  sphk gallery sod kh12 --out two");
+  acts(app, o, [&o] { return gallery_command({path_of(o.out), o.scenes, o.threads}); });
 }
 
 void add_extremes(CLI::App& root, Options& o) {
@@ -194,6 +161,7 @@ void add_extremes(CLI::App& root, Options& o) {
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
   app.footer("Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two");
+  acts(app, o, [&o] { return extremes_command({path_of(o.out), o.scenes, o.threads}); });
 }
 
 void add_tables(CLI::App& root, Options& o) {
@@ -203,21 +171,25 @@ void add_tables(CLI::App& root, Options& o) {
   app.footer(
       "S12 Table 1 (density errors), R10 Table 1 (HOCT kernels), V10 Table 1 (LIQ kernels), S12 Fig. 1 (half-mass "
       "radii).\nExample:\n  sphk tables --out tables");
+  computes(app, o, [&o] { return tables_command({path_of(o.out)}); });
 }
 
 void add_inspection(CLI::App& root, Options& o) {
-  root.add_subcommand("list", "the scenes, with their size and rough cost");
+  computes(*root.add_subcommand("list", "the scenes, with their size and rough cost"), o, list_command);
   CLI::App& show = *root.add_subcommand("show", "what a scene computes, and every key with its meaning");
   show.add_option("what", o.what, "a scene, a scene file or an initial condition")->required();
   add_physics(show, o);
   shortcut(show, o, "-n,--resolution", "scene.n", "N", "the scene's resolution (key scene.n)");
   show.footer("Example:\n  sphk show sod --kernel hoct4 --neighbours 442");
+  computes(show, o, [&o] { return show_command(o.what, overrides(o)); });
   CLI::App& info = *root.add_subcommand("info", "what an HDF5 file holds");
   info.add_option("file", o.file, "a snapshot or an initial condition")->required();
+  acts(info, o, [&o] { return info_command(o.file); });
   CLI::App& ic = *root.add_subcommand("ic", "work with initial conditions");
   ic.require_subcommand(1);
   CLI::App& check = *ic.add_subcommand("check", "look for NaN, zero masses, duplicate ids, coincident particles, ...");
   check.add_option("file", o.file, "an HDF5 initial condition")->required();
+  acts(check, o, [&o] { return ic_check_command(o.file); });
 }
 
 /// The parser's message, the nearest option or command to each word that is none, and where the help is.
@@ -242,50 +214,6 @@ std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc
   return fmt::format("{}{}\nSee: {}", error.what(), hint, help);
 }
 
-Request request_of(const CLI::App& root, const std::shared_ptr<Options>& o) {
-  const std::string name = root.get_subcommands().front()->get_name();
-  const auto computing = [&](std::function<int()> act) { return Request{std::move(act), true, o->threads}; };
-  const auto plain = [](std::function<int()> act) { return Request{std::move(act), false, 0}; };
-  if (name == "run") {
-    if (o->what.empty() && o->resume.empty()) throw InputError("sphk run takes a scene or file, or --resume DIR");
-    if (!o->resume.empty() && (!o->shortcuts.empty() || !o->sets.empty() || !o->out.empty()))
-      throw InputError(
-          "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
-          "--json-log go with it");
-    o->run.what = o->what;
-    o->run.resume = path_of(o->resume);
-    o->run.overrides = overrides(*o);
-    o->run.out = path_of(o->out);
-    return computing([o] { return run_command(o->run); });
-  }
-  if (name == "rates")
-    return computing([o, keys = overrides(*o)] { return rates_command({o->what, keys, o->out, o->split, o->alpha}); });
-  if (name == "list") return computing(list_command);
-  if (name == "show") return computing([o, keys = overrides(*o)] { return show_command(o->what, keys); });
-  if (name == "info") return plain([o] { return info_command(o->file); });
-  if (name == "ic") return plain([o] { return ic_check_command(o->file); });
-  if (name == "study") {
-    for (const Override& fixed : overrides(*o)) o->study.fixed.emplace_back(fixed.name, fixed.text);
-    o->study.out = path_of(o->out);
-    const auto& what = o->study.what;
-    if (what[0] == "compare" && what.size() == 3)
-      return plain([o] { return study_compare_command(o->study.what[1], o->study.what[2], o->study.norm); });
-    if (what[0] == "compare" || what.size() > 1)
-      throw InputError("sphk study takes one scene, study file or preset, or the word compare and two studies");
-    o->study.report = path_of(o->report);
-    return plain([o] { return study_command(o->study); });
-  }
-  if (name == "extremes") return plain([o] { return extremes_command({path_of(o->out), o->scenes, o->threads}); });
-  if (name == "gallery") return plain([o] { return gallery_command({path_of(o->out), o->scenes, o->threads}); });
-  if (name == "tables") return computing([o] { return tables_command({path_of(o->out)}); });
-  if (name == "stability") {
-    o->stability.out = path_of(o->out);
-    return plain([o] { return stability_command(o->stability); });
-  }
-  o->plot.out = path_of(o->out);
-  return plain([o] { return plot_command(o->plot); });
-}
-
 }  // namespace
 
 Request parse_command_line(int argc, char** argv) {
@@ -298,8 +226,7 @@ Request parse_command_line(int argc, char** argv) {
   add_plot(root, *options);
   add_rates(root, *options);
   add_stability(root, *options);
-  add_study_options(*root.add_subcommand("study", "error against run time, over every combination of what is listed"),
-                    options->study, options->sets, options->out, options->report);
+  add_study(root, *options);
   add_gallery(root, *options);
   add_extremes(root, *options);
   add_tables(root, *options);
@@ -314,7 +241,9 @@ Request parse_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(explain(root, error, argc, argv));
   }
-  return request_of(root, options);
+  Request request = options->request;
+  request.act = [options, act = request.act] { return act(); };
+  return request;
 }
 
 }  // namespace sphk

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "src/cli/child.hpp"
-#include "src/cli/commands.hpp"
-#include "src/cli/study_record.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/report/history.hpp"
 #include "src/report/quantity.hpp"
+#include "src/run/failure.hpp"
+#include "src/run/problem.hpp"
+#include "src/study/child.hpp"
+#include "src/study/study_record.hpp"
 
 namespace sphk {
 
@@ -98,8 +99,8 @@ Outcome check_threads(const fs::path& folder) {
   for (const char* threads : {"1", "2"}) {
     const fs::path out = folder / (std::string("threads_") + threads);
     std::vector<std::string> words{
-        "run",       start.string(), "--out",      out.string(), "--steps", "3", "--t-end", fmt::format("{}", 2 * time),
-        "--threads", threads,        "--overwrite"};
+        start.string(), "--out", out.string(), "--steps", "3", "--t-end", fmt::format("{}", 2 * time),
+        "--threads",    threads, "--overwrite"};
     for (const Key& key : problem.settings.keys())
       if (is_of_engine(key.name)) {
         const auto* text = std::get_if<std::string>(&key.value);

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "src/cli/child.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/extreme_outcomes.hpp"
-#include "src/cli/stop_signal.hpp"
 #include "src/cli/trials.hpp"
 #include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
 #include "src/report/table.hpp"
-#include "src/report/text_file.hpp"
+#include "src/run/stop_signal.hpp"
+#include "src/study/child.hpp"
 #include "src/study/extremes.hpp"
 
 namespace sphk {
@@ -32,8 +32,8 @@ std::vector<Outcome> outcomes_of(const Trial& one, const Workshop& shop) {
 }  // namespace
 
 std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
-  std::vector<std::string> words{"run",        one.scene, "--out", folder.string(),     "--overwrite",
-                                 "--walltime", longest,   "--set", "output.snapshots=1"};
+  std::vector<std::string> words{one.scene,    "--out", folder.string(), "--overwrite",
+                                 "--walltime", longest, "--set",         "output.snapshots=1"};
   for (const auto& [key, value] : one.keys) words.insert(words.end(), {"--set", key + "=" + value});
   if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
   const fs::path log = folder.string() + ".log";
@@ -79,7 +79,7 @@ int extremes_command(const ExtremesOptions& options) {
   }
   const std::string text = table.text();
   fmt::print("\n{}\n{} of {} cases pass\n", text, wanted.size() - static_cast<std::size_t>(failures), wanted.size());
-  write_text(folder / "extremes.txt", text);
+  write_atomically(folder / "extremes.txt", text);
   return failures == 0 ? ExitCode::done : ExitCode::numerics;
 }
 

@@ -4,7 +4,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/guards.hpp"
 #include "src/cli/plain_file.hpp"
-#include "src/report/text_file.hpp"
+#include "src/io/atomic_file.hpp"
 
 namespace sphk {
 
@@ -71,7 +71,7 @@ Outcomes full_disk(const Workshop& shop) {
 
 Outcomes no_folder(const Workshop& shop) {
   write_plain_file(shop.path("gas.hdf5"), even_gas());
-  write_text(shop.folder / "file", "in the way of a folder\n");
+  write_atomically(shop.folder / "file", "in the way of a folder\n");
   std::vector<Command> commands;
   for (const std::string& place : {shop.path("file/run"), std::string("/proc/run")})
     commands.push_back({{"run", shop.path("gas.hdf5"), "--t-end", "0.1", "--steps", "1", "--out", place},

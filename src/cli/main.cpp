@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <new>
 #include <optional>
+#include <string_view>
 
 #include "src/cli/command_line.hpp"
-#include "src/cli/commands.hpp"
-#include "src/engine/errors.hpp"
+#include "src/run/failure.hpp"
 
 namespace {
 
@@ -24,27 +24,25 @@ int perform(int argc, char** argv) {
   return request.act();
 }
 
-int fail(int code, const char* message) {
-  std::fflush(stdout);
-  fmt::print(stderr, "error: {}\n", message);
-  return code;
+/// Does the command line ask for JSON alone? Where it cannot be read as well.
+bool wants_json(int argc, char** argv) {
+  return std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json-log"; });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using sphk::ExitCode;
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, with a sentence
   try {
     return perform(argc, argv);
-  } catch (const sphk::InputError& error) {
-    return fail(ExitCode::bad_input, error.what());
-  } catch (const sphk::NumericsError& error) {
-    return fail(ExitCode::numerics, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(ExitCode::device,
-                "out of memory; take fewer particles (-n) or ask `sphk run ... --dry-run` what is needed");
-  } catch (const std::exception& error) {  // DeviceError, and what Kokkos and HDF5 throw
-    return fail(ExitCode::device, error.what());
+  } catch (...) {
+    const sphk::Failure failure = sphk::current_failure();
+    if (wants_json(argc, argv)) {
+      fmt::print("{}\n", failure.json());
+    } else {
+      std::fflush(stdout);
+      fmt::print(stderr, "error: {}\n", failure.message);
+    }
+    return failure.exit_code;
   }
 }

@@ -1,76 +1,15 @@
+#include "src/run/rates.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "src/cli/commands.hpp"
-#include "src/cli/run_output.hpp"
-#include "src/engine/errors.hpp"
-#include "src/scenes/initial_condition.hpp"
-#include "src/schemes/registry.hpp"
 
 namespace sphk {
 
-namespace {
-
-/// Row of each particle of the input in an order by id: the simulation's fields are sorted by id.
-std::vector<std::size_t> rank_by_id(const std::vector<std::uint64_t>& ids) {
-  std::vector<std::size_t> order(ids.size()), rank(ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t row) { return ids[row]; });
-  for (std::size_t place = 0; place < order.size(); ++place) rank[order[place]] = place;
-  return rank;
-}
-
-Field in_input_order(const Field& field, const std::vector<std::size_t>& rank) {
-  Field sorted = field;
-  const auto width = static_cast<std::size_t>(field.components);
-  for (std::size_t row = 0; row < rank.size(); ++row)
-    for (std::size_t k = 0; k < width; ++k) sorted.values[row * width + k] = field.values[rank[row] * width + k];
-  return sorted;
-}
-
-/// What --alpha asks for, as keys of the run; `particles` keep the file's Alpha only where that is asked.
-std::vector<Override> dissipation(const std::string& alpha, const std::string& scheme, ParticleSet& particles) {
-  if (alpha != "file") particles.alpha.clear();
-  const bool switched = scheme.starts_with("sphs");
-  if (alpha == "file") {
-    if (!switched)
-      throw InputError(fmt::format("--alpha file: the scheme {} has no switch; give a number, or use sphs", scheme));
-    if (particles.alpha.empty())
-      throw InputError("--alpha file: the file has no field Alpha; use --alpha auto, or give a number");
-    return {};
-  }
-  if (alpha == "auto") {
-    if (switched) return {};
-    return {{"viscosity.alpha", "0", "--alpha auto"}, {"viscosity.beta", "0", "--alpha auto"}};
-  }
-  if (switched) return {{"switch.alpha", alpha, "--alpha " + alpha}};
-  return {{"viscosity.alpha", alpha, "--alpha " + alpha}};
-}
-
-}  // namespace
-
-int rates_command(const RatesOptions& options) {
-  std::vector<Override> overrides{{"sph.precision", "double", "--precision double"},
-                                  {"time.steps", "global", "--precision double"}};
-  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
-  Problem problem = resolve_problem(options.file, overrides);
-  ParticleSet particles = initial_condition(*problem.scene, problem.settings);
-  for (const Override& key : dissipation(options.alpha, problem.settings.text("sph.scheme"), particles))
-    problem.settings.set_from_text(key.name, key.text, Origin::command_line);
-  if (particles.id.empty()) {
-    particles.id.resize(particles.size());
-    std::iota(particles.id.begin(), particles.id.end(), std::uint64_t{1});
-  }
-  const auto simulation = make_simulation(particles, simulation_settings(problem.settings));
-  const auto rank = rank_by_id(particles.id);
-  std::vector<Field> fields;
-  for (const Field& field : simulation->rates(options.split)) fields.push_back(in_input_order(field, rank));
-  const double gamma = problem.settings.real("sph.gamma");
-  write_fields(options.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
-  for (const std::string& warning : simulation->warnings()) fmt::print("note: {}\n", warning);
-  fmt::print("{}: {} fields of {} particles\n", options.out.string(), fields.size(), particles.size());
+int rates_command(const RatesRequest& request) {
+  const RatesResult result = rates(request);
+  for (const std::string& warning : result.warnings) fmt::print("note: {}\n", warning);
+  fmt::print("{}: {} fields of {} particles\n", request.out.string(), result.fields, result.particles);
   return ExitCode::done;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/cli/child.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/guards.hpp"
 #include "src/cli/plain_file.hpp"
@@ -67,7 +66,8 @@ hdf5::File rates_of(const ParticleSet& gas, const std::string& name, const std::
   std::vector<std::string> words{
       "rates", shop.path(name + ".hdf5"), "--scheme", scheme, "--kernel", "hoct4", "--neighbours", "442", "--out", out};
   if (shop.threads > 0) words.insert(words.end(), {"--threads", std::to_string(shop.threads)});
-  if (const int code = run_child(words, log); code != ExitCode::done) throw InputError(reason_of(code, log));
+  if (const int code = run_alone(words, log); code != ExitCode::done)
+    throw InputError(fmt::format("exit code {}; see {}", code, log));
   return hdf5::File::open(out);
 }
 

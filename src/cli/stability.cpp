@@ -8,9 +8,9 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/plot_script.hpp"
 #include "src/engine/errors.hpp"
-#include "src/report/text_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/report/plot_script.hpp"
 #include "src/stability/verdict.hpp"
 
 namespace sphk {
@@ -76,7 +76,7 @@ void write_map(const StabilityOptions& o, const Lattice& lattice, double h) {
     panels.push_back(panel);
   }
   std::filesystem::create_directories(*o.out);
-  write_text(*o.out / "stability.csv", csv);
+  write_atomically(*o.out / "stability.csv", csv);
   run_plot_script(nlohmann::ordered_json{
       {"stability", panels},
       {"h", {range.from, range.to}},

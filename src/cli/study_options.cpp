@@ -1,12 +1,12 @@
-#include "src/cli/study_options.hpp"
+#include "src/cli/options.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "src/cli/platform.hpp"
 #include "src/engine/errors.hpp"
+#include "src/report/process.hpp"
 #include "src/study/plan.hpp"
 
 namespace sphk {
@@ -14,7 +14,7 @@ namespace sphk {
 namespace {
 
 /// An option whose values, with commas between them, are an axis of a study.
-void axis(CLI::App& app, StudyOptions& study, const std::string& name, const std::string& key, const std::string& doc) {
+void axis(CLI::App& app, StudyRequest& study, const std::string& name, const std::string& key, const std::string& doc) {
   app.add_option_function<std::vector<std::string>>(
          name,
          [&study, key](const std::vector<std::string>& values) {
@@ -46,15 +46,7 @@ std::string preset_lines() {
   return text;
 }
 
-}  // namespace
-
-void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::string>& sets, std::string& out,
-                       std::string& report) {
-  app.add_option("what", study.what,
-                 "a scene with an exact solution or converged runs, a study file (*.toml), a preset, or: compare STUDY "
-                 "STUDY")
-      ->required()
-      ->expected(1, 3);
+void add_axes(CLI::App& app, StudyRequest& study) {
   axis(app, study, "--scheme", "sph.scheme", "schemes");
   axis(app, study, "--kernel", "sph.kernel", "smoothing kernels");
   axis(app, study, "--neighbours", "sph.neighbours", "neighbour numbers");
@@ -71,11 +63,17 @@ void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::stri
       ->type_size(1)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--set", sets, "set a key of all runs; once for each key")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_options(CLI::App& app, Options& o) {
+  StudyRequest& study = o.study;
+  app.add_option("what", o.studies,
+                 "a scene with an exact solution or converged runs, a study file (*.toml), a preset, or: compare STUDY "
+                 "STUDY")
+      ->required()
+      ->expected(1, 3);
+  add_axes(app, study);
+  add_sets(app, o, "set a key of all runs");
   app.add_option("--repeat", study.repeat, "runs of each point; the fastest counts")->check(CLI::Range(1, 1000));
   app.add_option("--norm", study.norm, "the quantity whose error counts: v, rho, P, or a measure; default: v")
       ->type_name("FIELD");
@@ -89,9 +87,9 @@ void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::stri
   app.add_option("--others", study.others, "points of other engines, as CSV: engine,setting,error,cpu_seconds,machine")
       ->type_name("FILE.csv");
   app.add_option("--max-time", study.max_seconds, "start no run after so many seconds")->check(CLI::PositiveNumber);
-  app.add_option("--threads", study.threads, "threads of each run")->check(CLI::Range(1, 65536));
-  app.add_option("--out", out, "folder of the study; default: SCENE-study. What it holds already is not run again");
-  app.add_option("--report", report, "also write the study as one HTML page with everything in it")
+  add_threads(app, o);
+  app.add_option("--out", o.out, "folder of the study; default: SCENE-study. What it holds already is not run again");
+  app.add_option("--report", o.report, "also write the study as one HTML page with everything in it")
       ->type_name("FILE.html");
   app.footer(
       "Examples:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n"
@@ -103,6 +101,23 @@ void add_study_options(CLI::App& app, StudyOptions& study, std::vector<std::stri
       "[set] (keys of all runs), [vary] (lists of values) and [[methods]]; the presets are such files, in "
       "share/sphk/studies.\n"
       "The folder gets study.json (every run, raw), study.csv, study.png, and each run's files under points/.");
+}
+
+}  // namespace
+
+void add_study(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("study", "error against run time, over every combination of what is listed");
+  add_options(app, o);
+  acts(app, o, [&o] {
+    const auto& what = o.studies;
+    if (what[0] == "compare" && what.size() == 3) return study_compare_command(what[1], what[2], o.study.norm);
+    if (what[0] == "compare" || what.size() > 1)
+      throw InputError("sphk study takes one scene, study file or preset, or the word compare and two studies");
+    for (const Override& fixed : overrides(o)) o.study.fixed.emplace_back(fixed.name, fixed.text);
+    o.study.what = what[0], o.study.threads = o.threads;
+    o.study.out = path_of(o.out), o.study.report = path_of(o.report);
+    return study_command(o.study);
+  });
 }
 
 }  // namespace sphk

@@ -5,8 +5,8 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/plot_script.hpp"
-#include "src/report/text_file.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/report/plot_script.hpp"
 #include "src/tables/published.hpp"
 
 namespace sphk {
@@ -30,7 +30,7 @@ void write_csv(const std::filesystem::path& folder, const PublishedTable& table)
   for (const PublishedValue& v : table.values)
     csv += fmt::format("\"{}\",\"{}\",{},{:.10g},{:.3g},{}\n", v.row, v.quantity, v.printed, v.computed, v.difference(),
                        v.agrees() ? "yes" : "no");
-  write_text(folder / (table.key + ".csv"), csv);
+  write_atomically(folder / (table.key + ".csv"), csv);
 }
 
 /// S12 Fig. 1 for kernels of the papers: W h^3 and its derivative over r/h in 3D, with half-mass radii.

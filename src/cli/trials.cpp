@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "src/cli/child.hpp"
 #include "src/cli/guards.hpp"
+#include "src/report/process.hpp"
 #include "src/study/odd_cases.hpp"
 
 namespace sphk {
@@ -46,6 +46,11 @@ std::vector<Outcome> perform_all(const std::vector<ExtremeCase>& cases, const Wo
   return all;
 }
 
+int run_alone(std::vector<std::string> words, const fs::path& log) {
+  words.insert(words.begin(), this_executable().string());
+  return Process(words, {.output = log}).wait();
+}
+
 Outcome try_commands(const std::string& required, const std::vector<Command>& commands, const Workshop& shop) {
   std::size_t good = 0;
   std::string first;
@@ -54,9 +59,9 @@ Outcome try_commands(const std::string& required, const std::vector<Command>& co
     if (shop.threads > 0) words.insert(words.end(), {"--threads", std::to_string(shop.threads)});
     static int number = 0;
     const fs::path log = shop.folder / fmt::format("command-{:02}.log", ++number);
-    const int code = run_child(words, log);
-    const std::string problem = code != command.code ? fmt::format("exit code {}, {}", code, reason_of(code, log))
-                                                     : missing(command, text_of(log));
+    const int code = run_alone(words, log);
+    const std::string problem =
+        code != command.code ? fmt::format("exit code {}", code) : missing(command, text_of(log));
     good += problem.empty();
     if (!problem.empty() && first.empty())
       first = fmt::format("; {} (sphk {}): {}", log.string(), fmt::join(words, " "), problem);

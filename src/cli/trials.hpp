@@ -45,6 +45,9 @@ struct Command {
   std::vector<std::string> not_says;  ///< nothing of these
 };
 
+/// The exit code of `sphk WORDS`, its output in `log`.
+int run_alone(std::vector<std::string> words, const std::filesystem::path& log);
+
 /// One row on all of them: how many came to what they have to, or what else the first of the others came to. Their logs
 /// stay in the folder.
 Outcome try_commands(const std::string& required, const std::vector<Command>& commands, const Workshop& shop);

@@ -30,7 +30,8 @@ bool sync_to_disk(int file) {
 
 /// Each of the steps; false with errno set at the first that fails.
 bool replace(const fs::path& path, const fs::path& temporary, std::string_view bytes) {
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  unlink(temporary.c_str());  // of a killed process with our number, or a link that somebody put there
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return false;
   const bool written = write_all(file, bytes) && sync_to_disk(file);
   const int reason = errno;
@@ -53,7 +54,7 @@ void write_atomically(const fs::path& path, std::string_view bytes) {
   if (!replace(path, temporary, bytes)) {
     const std::string reason = std::strerror(errno);
     unlink(temporary.c_str());
-    throw InputError(fmt::format("{}: {:.1f} MB cannot be written ({}); make room or choose another folder",
+    throw InputError(fmt::format("{}: {:.3g} MB cannot be written ({}); make room or choose another folder",
                                  path.string(), static_cast<double>(bytes.size()) / 1e6, reason));
   }
   if (const int entries = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entries >= 0) {

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-
+#include "src/engine/checksum.hpp"
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/snapshot_groups.hpp"
@@ -14,25 +13,6 @@ namespace {
 
 constexpr const char* group_name = "Checkpoint";
 constexpr const char* loop_name = "Loop";
-
-/// FNV-1a over names and bytes, eight bytes at a time where there are as many.
-class Checksum {
- public:
-  void add(const void* data, std::size_t bytes) {
-    const auto* at = static_cast<const unsigned char*>(data);
-    for (; bytes >= 8; bytes -= 8, at += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, at, 8);
-      mix(word);
-    }
-    for (; bytes > 0; --bytes) mix(*at++);
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  void mix(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3u; }
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
 
 std::uint64_t checksum_of(const Checkpoint& checkpoint) {
   Checksum sum;

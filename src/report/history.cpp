@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <sstream>
 
 #include "src/engine/errors.hpp"
+#include "src/report/csv.hpp"
 
 namespace sphk {
 
@@ -46,13 +46,6 @@ History::Measures standard_columns(const StepReport& step, const Totals& t, cons
           {last_standard_column, drift.mass}};
 }
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> words;
-  std::string word;
-  for (std::istringstream text(line); std::getline(text, word, ',');) words.push_back(word);
-  return words;
-}
-
 double value_of(const History::Measures& measures, const std::string& name) {
   const auto it = std::ranges::find(measures, name, &History::Measures::value_type::first);
   return it == measures.end() ? std::numeric_limits<double>::quiet_NaN() : it->second;
@@ -73,9 +66,7 @@ History::History(const std::filesystem::path& path, std::uintmax_t bytes) : path
   file_.open(path, std::ios::app);
   if (error || !file_) throw InputError(fmt::format("cannot write {}: may you write there?", path.string()));
   if (bytes == 0) return;
-  std::string line;
-  std::getline(std::ifstream(path), line);
-  const std::vector<std::string> names = split(line);
+  const std::vector<std::string> names = read_csv(path).columns;
   measures_.assign(std::ranges::find(names, last_standard_column) + 1, names.end());
   started_ = true;
 }
@@ -85,16 +76,12 @@ std::uintmax_t History::bytes() const {
 }
 
 std::vector<HistoryRow> read_history(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  const std::vector<std::string> names = split(line);
+  const CsvTable table = read_csv(path);
   std::vector<HistoryRow> rows;
-  while (std::getline(file, line)) {
-    const std::vector<std::string> values = split(line);
+  for (const CsvTable::Row& line : table.rows) {
     HistoryRow& row = rows.emplace_back();
-    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
-      row[names[k]] = std::strtod(values[k].c_str(), nullptr);
+    for (std::size_t k = 0; k < std::min(table.columns.size(), line.values.size()); ++k)
+      row[table.columns[k]] = std::strtod(line.values[k].c_str(), nullptr);
   }
   return rows;
 }

@@ -35,7 +35,8 @@ class History {
 
 /// A row of a history, by column.
 using HistoryRow = std::map<std::string, double>;
-/// The rows that are there; numbers come back as they were written, bit by bit.
+/// The rows that are there; numbers come back as they were written, bit by bit. Throws InputError where there is no
+/// file.
 std::vector<HistoryRow> read_history(const std::filesystem::path& path);
 
 }  // namespace sphk

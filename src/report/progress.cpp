@@ -13,6 +13,8 @@ namespace sphk {
 
 namespace {
 
+constexpr auto replace = nlohmann::json::error_handler_t::replace;  // of what is no UTF-8, such as a file's name
+
 int columns(std::FILE* out) {
   winsize size{};
   return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -41,6 +43,7 @@ Progress::~Progress() {
 }
 
 bool Progress::due() const {
+  if (style_ == ProgressStyle::none) return false;
   return !started_ || watch_.wall() - last_wall_ >= (style_ == ProgressStyle::bar ? 0.2 : 5.0);
 }
 
@@ -56,6 +59,8 @@ void Progress::report(const StepReport& step, long updates, double energy_drift)
     case ProgressStyle::json:
       print_json(step, now, energy_drift);
       break;
+    case ProgressStyle::none:
+      return;
   }
   std::fflush(out_);
   started_ = true;
@@ -66,7 +71,9 @@ void Progress::report(const StepReport& step, long updates, double energy_drift)
 }
 
 void Progress::say(const std::string& line) {
-  if (style_ == ProgressStyle::json) return fmt::print(out_, "{}\n", nlohmann::json{{"message", line}}.dump());
+  if (style_ == ProgressStyle::none) return;
+  if (style_ == ProgressStyle::json)
+    return fmt::print(out_, "{}\n", nlohmann::json{{"message", line}}.dump(-1, ' ', false, replace));
   fmt::print(out_, "{}{}\n", open_bar_ ? "\n" : "", line);
   open_bar_ = false;
   std::fflush(out_);

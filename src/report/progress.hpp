@@ -8,8 +8,9 @@
 
 namespace sphk {
 
-/// How a run tells where it is: a bar redrawn in place on a terminal, plain lines or JSON objects elsewhere.
-enum class ProgressStyle { bar, lines, json };
+/// How a run tells where it is: a bar redrawn in place on a terminal, plain lines or JSON objects elsewhere; or not
+/// at all.
+enum class ProgressStyle { bar, lines, json, none };
 
 /// Prints time, dt, step, updates/s, neighbours, energy drift, time left and the particle that limits dt.
 class Progress {

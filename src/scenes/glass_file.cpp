@@ -7,29 +7,26 @@
 #include <cstring>
 #include <fstream>
 
+#include "src/engine/checksum.hpp"
+
 namespace sphk {
 
 namespace {
 
 /// What a file begins with; the positions follow, three doubles each.
 struct Header {
-  char magic[8] = {'s', 'p', 'h', 'k', 'g', 'l', 's', '1'};
+  char magic[8] = {'s', 'p', 'h', 'k', 'g', 'l', 's', '2'};
   std::int64_t dimension = 0, counts[3] = {};
-  std::uint64_t checksum = 0;  ///< FNV-1a of the positions' bytes
+  std::uint64_t checksum = 0;  ///< of the positions
 };
-
-std::uint64_t checksum(const std::vector<Array3>& points) {
-  const auto* bytes = reinterpret_cast<const unsigned char*>(points.data());
-  std::uint64_t hash = 14695981039346656037u;
-  for (std::size_t k = 0; k < points.size() * sizeof(Array3); ++k) hash = (hash ^ bytes[k]) * 1099511628211u;
-  return hash;
-}
 
 Header header_of(int dimension, const Counts& counts, const std::vector<Array3>& points) {
   Header header;
   header.dimension = dimension;
   for (int axis = 0; axis < 3; ++axis) header.counts[axis] = counts[axis];
-  header.checksum = checksum(points);
+  Checksum sum;
+  sum.add(points.data(), points.size() * sizeof(Array3));
+  header.checksum = sum.value();
   return header;
 }
 

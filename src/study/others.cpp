@@ -4,48 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "src/engine/errors.hpp"
+#include "src/report/csv.hpp"
 
 namespace sphk {
 
-namespace {
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> values;
-  std::string value;
-  for (std::istringstream text(line); std::getline(text, value, ',');) {
-    const auto first = value.find_first_not_of(" \t\r"), last = value.find_last_not_of(" \t\r");
-    values.push_back(first == std::string::npos ? "" : value.substr(first, last - first + 1));
-  }
-  return values;
-}
-
-}  // namespace
-
 std::vector<OtherPoint> read_others(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(fmt::format("cannot read {}: is the path right?", path.string()));
-  std::vector<std::string> columns;
+  const CsvTable table = read_csv(path);
+  const std::string first_line = "the first line is: engine,setting,error,cpu_seconds,machine";
+  if (table.columns.empty()) throw InputError(fmt::format("{} holds no table; {}", path.string(), first_line));
+  for (const char* name : {"engine", "setting", "error", "cpu_seconds", "machine"})
+    if (std::ranges::find(table.columns, name) == table.columns.end())
+      throw InputError(fmt::format("{}: no column \"{}\"; {}", path.string(), name, first_line));
   std::vector<OtherPoint> points;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (line.empty() || line[0] == '#') continue;
-    const std::vector<std::string> values = split(line);
-    const auto refuse = [&](const std::string& problem) {
+  for (const auto& [line, values] : table.rows) {
+    const auto refuse = [&, number = line](const std::string& problem) {
       throw InputError(fmt::format("{}:{}: {}", path.string(), number, problem));
     };
-    if (columns.empty()) {
-      columns = values;
-      for (const char* name : {"engine", "setting", "error", "cpu_seconds", "machine"})
-        if (std::ranges::find(columns, name) == columns.end())
-          refuse(fmt::format("no column \"{}\"; the first line is: engine,setting,error,cpu_seconds,machine", name));
-      continue;
-    }
-    if (values.size() != columns.size()) refuse(fmt::format("{} values for {} columns", values.size(), columns.size()));
-    const auto text = [&](const char* name) { return values[std::ranges::find(columns, name) - columns.begin()]; };
+    if (values.size() != table.columns.size())
+      refuse(fmt::format("{} values for {} columns", values.size(), table.columns.size()));
+    const auto text = [&, &row = values](const char* name) {
+      return row[static_cast<std::size_t>(std::ranges::find(table.columns, name) - table.columns.begin())];
+    };
     const auto positive = [&](const char* name) {
       double value = 0;
       std::istringstream(text(name)) >> value;
@@ -55,9 +37,6 @@ std::vector<OtherPoint> read_others(const std::filesystem::path& path) {
     };
     points.push_back({text("engine"), text("setting"), positive("error"), positive("cpu_seconds"), text("machine")});
   }
-  if (columns.empty())
-    throw InputError(
-        fmt::format("{} holds no table; its first line is: engine,setting,error,cpu_seconds,machine", path.string()));
   return points;
 }
 

@@ -16,7 +16,7 @@ struct OtherPoint {
 };
 
 /// Reads a CSV file with the columns engine, setting, error, cpu_seconds, machine, in any order and named in the first
-/// line; lines that begin with # are comments, no value has a comma in it. Throws InputError with file and line.
+/// line (csv.hpp). Throws InputError with file and line.
 std::vector<OtherPoint> read_others(const std::filesystem::path& path);
 
 }  // namespace sphk

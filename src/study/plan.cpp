@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "src/engine/errors.hpp"
-#include "src/study/toml_file.hpp"
+#include "src/run/toml_file.hpp"
 
 namespace sphk {
 

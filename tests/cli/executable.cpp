@@ -27,6 +27,9 @@ Result sphk_in(const std::filesystem::path& folder, const std::string& arguments
 
 constexpr const char* small_run = "run uniform -n 8 --set scene.lattice=cubic --set scene.jitter=0.1 --steps 3";
 
+/// A blast wave with 25 times the stable time-step: within some steps a particle has lost more energy than it had.
+constexpr const char* blow_up = "run tube -n 50 --set sph.energy=energy --set time.courant=10";
+
 class Executable : public testing::Test {
  protected:
   Result sphk(const std::string& arguments) { return sphk_in(folder.path(), arguments); }
@@ -140,6 +143,36 @@ TEST_F(Executable, AJsonLogHoldsNothingButJson) {
   EXPECT_GT(count, 2);
 }
 
+/// The last line of what was printed.
+nlohmann::json last_object(const std::string& text) {
+  const auto end = text.find_last_not_of('\n');
+  const auto begin = text.rfind('\n', end);
+  return nlohmann::json::parse(text.substr(begin == std::string::npos ? 0 : begin + 1));
+}
+
+TEST_F(Executable, AJsonLogTellsOfErrorsToo) {
+  const std::pair<const char*, int> wrong[] = {{"run sodd", 2},
+                                               {"run sod --set sph.kernal=cs", 2},
+                                               {"run sod --kernal cs", 2},
+                                               {"run sod --kernel wc3", 2},
+                                               {blow_up, 3}};
+  for (const auto& [arguments, code] : wrong) {
+    const Result result = sphk(std::string(arguments) + " --json-log");
+    EXPECT_EQ(result.code, code) << result.text;
+    EXPECT_EQ(last_object(result.text)["exit_code"], code) << result.text;
+    EXPECT_FALSE(last_object(result.text)["error"].get<std::string>().empty());
+  }
+}
+
+TEST_F(Executable, AJsonLogEndsWithWhatTheRunCameTo) {
+  const auto end = last_object(sphk(std::string(small_run) + " --json-log").text);
+  EXPECT_EQ(end["finished"], true);
+  EXPECT_EQ(end["folder"], "uniform-run");
+  const auto told = last_object(sphk(std::string(small_run) + " --dry-run --json-log").text);
+  EXPECT_EQ(told["dry_run"]["particles"], 512);
+  EXPECT_EQ(told["dry_run"]["steps"], 3);
+}
+
 TEST_F(Executable, RatesKeepTheOrderOfTheFile) {
   ASSERT_EQ(sphk(small_run).code, 0);
   const Result result =
@@ -164,10 +197,8 @@ TEST_F(Executable, ListShowInfoAndCheckWork) {
   EXPECT_EQ(sphk("ic check uniform-run/snap_0000.hdf5").code, 0);
 }
 
-// A time-step of 25 times the stable one blows up.
 TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
-  const Result result =
-      sphk("run noh -n 8 --set scene.dimension=2 --set scene.lattice=cubic --set time.courant=10 --out bad");
+  const Result result = sphk(std::string(blow_up) + " --out bad");
   EXPECT_EQ(result.code, 3) << result.text;
   EXPECT_NE(result.text.find("its last snapshot is snap_"), std::string::npos) << result.text;
   EXPECT_EQ(nlohmann::json::parse(read_text(file("bad/run.json")))["finished"], false);

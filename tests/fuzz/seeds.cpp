@@ -3,7 +3,7 @@
 #include <fstream>
 #include <vector>
 
-#include "src/cli/scene_file.hpp"
+#include "src/run/scene_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "tests/io/example.hpp"
 

@@ -1,5 +1,5 @@
 // The readers of text: scene files, study files, and the tables of other engines.
-#include "src/cli/scene_file.hpp"
+#include "src/run/scene_file.hpp"
 #include "src/study/others.hpp"
 #include "src/study/plan.hpp"
 #include "tests/fuzz/input_file.hpp"

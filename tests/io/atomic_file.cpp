@@ -1,6 +1,7 @@
 #include "src/io/atomic_file.hpp"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -30,6 +31,14 @@ TEST_F(AtomicFile, NamesWithoutAFolderAreInTheCurrentOne) {
   write_atomically("here", "text");
   std::filesystem::current_path(before);
   EXPECT_EQ(content(file("here")), "text");
+}
+
+TEST_F(AtomicFile, ALinkOfTheTemporaryNameIsNotFollowed) {
+  std::ofstream(file("other")) << "mine";
+  std::filesystem::create_symlink(file("other"), file(".a." + std::to_string(getpid()) + ".tmp"));
+  write_atomically(file("a"), "text");
+  EXPECT_EQ(content(file("a")), "text");
+  EXPECT_EQ(content(file("other")), "mine");
 }
 
 TEST_F(AtomicFile, WhatStandsInTheWayIsLeftAlone) {

@@ -4,7 +4,7 @@ import json
 import os
 import sys
 
-MISSING_PACKAGE = 86  # src/cli/plot_script.cpp tries another Python, then names the packages
+MISSING_PACKAGE = 86  # src/report/plot_script.cpp tries another Python, then names the packages
 
 # The cache of matplotlib's fonts needs a folder that can be written.
 if not os.access(os.path.expanduser("~"), os.W_OK):

@@ -9,16 +9,6 @@ OTHERS = "#8a8a8a"
 MOST_LABELS = 14  # more points are labelled on the front alone
 
 
-def pareto(points):
-    """Points by rising cost that have a smaller error than all cheaper ones."""
-    front, best = [], np.inf
-    for point in sorted(points, key=lambda p: (p["cpu"], p["error"])):
-        if point["error"] < best:
-            best = point["error"]
-            front.append(point)
-    return front
-
-
 def look_of(k):
     return {"color": LINES[k % len(LINES)], "marker": MARKERS[k % len(MARKERS)], "ms": 6,
             "ls": STROKES[k // len(LINES) % len(STROKES)]}
@@ -86,7 +76,7 @@ def draw_study(work):
     figure, panels = plt.subplots(2, 2, figsize=(14, 11), constrained_layout=True)
     (seconds, order), (pairs, drift) = panels
     points = [point for line in lines for point in line["points"]]
-    front = pareto(points)
+    front = sorted((p for p in points if p["front"]), key=lambda p: p["cpu"])
     seconds.plot([p["error"] for p in front], [p["cpu"] for p in front], "-", lw=8, color="#dcdcdc", zorder=0,
                  solid_capstyle="round", label="nothing is better and cheaper")
     methods = list(dict.fromkeys([line["method"] for line in lines] + [f["method"] for f in failures]))
@@ -97,7 +87,7 @@ def draw_study(work):
         fitted = "" if line["order"] is None else f" (order {line['order']:.2f})"
         draw_line(seconds, line["points"], "error", "cpu", look | {"label": line["method"] + fitted})
         for point in line["points"]:
-            if len(points) <= MOST_LABELS or point in front:
+            if len(points) <= MOST_LABELS or point["front"]:
                 seconds.annotate(f"{point['n']:g}", (point["error"], point["cpu"]), textcoords="offset points",
                                  xytext=(6, 4), fontsize=10, color=look["color"])
         draw_line(pairs, line["points"], "pairs", "error", look)

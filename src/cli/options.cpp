@@ -1,0 +1,58 @@
+#include "src/cli/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+std::optional<std::filesystem::path> path_of(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
+}
+
+std::vector<Override> overrides(const Options& o) {
+  std::vector<Override> all = o.shortcuts;
+  for (const std::string& text : o.sets) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos)
+      throw InputError(fmt::format("--set {}: write KEY=VALUE, such as --set sph.kernel=cs", text));
+    all.push_back({text.substr(0, equals), text.substr(equals + 1), "--set " + text});
+  }
+  return all;
+}
+
+void computes(CLI::App& app, Options& o, const std::function<int()>& act) {
+  app.callback([&o, act] { o.request = {act, true, o.threads}; });
+}
+
+void acts(CLI::App& app, Options& o, const std::function<int()>& act) {
+  app.callback([&o, act] { o.request = {act}; });
+}
+
+void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
+              const std::string& doc) {
+  const std::string spelling = name.substr(0, name.find(','));
+  app.add_option_function<std::string>(
+         name,
+         [&o, key, spelling](const std::string& text) {
+           o.shortcuts.push_back({key, text, spelling + " " + text});
+         },
+         doc)
+      ->type_name(type);
+}
+
+void add_sets(CLI::App& app, Options& o, const std::string& doc) {
+  app.add_option("--set", o.sets, doc + "; once for each key")
+      ->type_name("KEY=VALUE")
+      ->type_size(1)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_threads(CLI::App& app, Options& o) {
+  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
+}
+
+}  // namespace sphk

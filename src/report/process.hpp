@@ -1,0 +1,52 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sphk {
+
+/// The file of this executable.
+std::filesystem::path this_executable();
+
+/// share/sphk beside the folder of this executable, in the build tree and where it is installed: the drawing scripts
+/// and the studies that have names.
+std::filesystem::path shared_folder();
+
+/// A program that this one has started, and waits for before it goes on.
+class Process {
+ public:
+  struct Streams {
+    std::FILE* input = nullptr;      ///< standard input, from where it stands; null: this process' own
+    std::filesystem::path output{};  ///< a new file for standard output and error; empty: this process' own
+  };
+
+  /// What `exit_code` says of a program that could not be started, as a shell does; and what it adds to the number of
+  /// the signal that ended one.
+  static constexpr int not_started = 127, by_signal = 128;
+
+  /// `words`: the program, looked for in the PATH where it has no slash, and its arguments.
+  Process(std::vector<std::string> words, const Streams& streams);
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process() { wait(); }
+
+  /// Nothing while it runs.
+  std::optional<int> exit_code();
+  /// Its exit code, once it has ended.
+  int wait();
+  /// SIGTERM, as for a stop.
+  void ask_to_stop() const;
+
+ private:
+  void take(int status);
+
+  pid_t id_ = 0;
+  std::optional<int> exit_code_;
+};
+
+}  // namespace sphk

@@ -1,0 +1,54 @@
+#include "src/run/file_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "src/engine/errors.hpp"
+#include "src/io/check.hpp"
+
+namespace sphk {
+
+PlotHint plain_hint(const Box& box) {
+  return {.abscissa = "x",
+          .fields = {"rho", "v", "P"},
+          .from = box.lower[0],
+          .to = box.lower[0] + box.size[0],
+          .centre = {}};
+}
+
+FileScene::FileScene(const std::filesystem::path& path)
+    : path_(std::filesystem::absolute(path)), content_(read_particles(path)) {
+  if (content_.particles.size() == 0) errors_.emplace_back("it holds no gas particles: at least one is needed");
+  for (const Finding& finding : check_particles(content_.particles))
+    (finding.severity == Finding::Severity::error ? errors_ : content_.remarks).push_back(to_text(finding));
+}
+
+std::string FileScene::summary() const {
+  return "the initial condition " + path_.string();
+}
+
+void FileScene::declare(Settings& settings) const {
+  settings.declare({.name = "scene.file", .value = path_.string(), .doc = "the initial condition", .choices = {}});
+  settings.declare({.name = "scene.periodic",
+                    .value = std::string("file"),
+                    .doc = "boundaries of all axes: as the file says, or as asked",
+                    .choices = {"file", "yes", "no"}});
+  if (content_.gamma) settings.prefer("sph.gamma", *content_.gamma);
+  settings.prefer("time.end", content_.particles.time);
+}
+
+ParticleSet FileScene::build(const Settings& settings) const {
+  if (!errors_.empty())
+    throw InputError(
+        fmt::format("{} cannot be run before this is mended:\n  {}", path_.string(), fmt::join(errors_, "\n  ")));
+  ParticleSet particles = content_.particles;
+  const std::string& periodic = settings.text("scene.periodic");
+  for (int axis = 0; axis < particles.dimension && periodic != "file"; ++axis)
+    particles.box.periodic[static_cast<std::size_t>(axis)] = periodic == "yes";
+  return particles;
+}
+
+PlotHint FileScene::plot_hint(const Settings&) const {
+  return plain_hint(content_.particles.box);
+}
+
+}  // namespace sphk

@@ -1,0 +1,52 @@
+#include "src/run/platform.hpp"
+
+#include <fmt/format.h>
+
+#include <Kokkos_Core.hpp>
+#include <sphk_version.hpp>
+#include <type_traits>
+
+#include "src/report/fma_peak.hpp"
+#include "src/report/machine.hpp"
+
+namespace sphk {
+
+namespace {
+
+using Space = Kokkos::DefaultExecutionSpace;
+
+std::string device_name() {
+#if defined(KOKKOS_ENABLE_CUDA) || defined(KOKKOS_ENABLE_HIP)
+  if constexpr (!std::is_same_v<Space, Kokkos::DefaultHostExecutionSpace>)
+#if defined(KOKKOS_ENABLE_CUDA)
+    return Kokkos::Cuda().cuda_device_prop().name;
+#else
+    return Kokkos::HIP().hip_device_prop().name;
+#endif
+#endif
+  return machine_name();
+}
+
+}  // namespace
+
+Platform detect_platform(const std::string& precision) {
+  return {.backend = Space::name(),
+          .device = device_name(),
+          .threads = Space().concurrency(),
+          .precision = precision,
+          .fma_peak = measure_fma_peak().of(precision)};
+}
+
+Build build() {
+  return {.version = build_info::version,
+          .git_revision = build_info::git_revision,
+          .compiler = fmt::format("{} {}", build_info::compiler_name, build_info::compiler_version)};
+}
+
+std::string version_text() {
+  return fmt::format("sphk {} ({}), {} {} {}, Kokkos {} for {}", build_info::version, build_info::git_revision,
+                     build_info::compiler_name, build_info::compiler_version, build_info::build_type,
+                     build_info::kokkos_version, build_info::kokkos_backends);
+}
+
+}  // namespace sphk

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "src/report/run_record.hpp"
+
+namespace sphk {
+
+/// The default execution space and its measured FMA peak for a precision ("mixed", "double"). Kokkos must be running.
+Platform detect_platform(const std::string& precision);
+
+Build build();
+
+/// "sphk 0.1.0 (revision), compiler, Kokkos".
+std::string version_text();
+
+}  // namespace sphk

@@ -1,0 +1,85 @@
+#include "src/run/plot_items.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/io/reader.hpp"
+#include "src/run/file_scene.hpp"
+#include "src/schemes/registry.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// Where the hint's centre is at a time, in the box.
+Array3 centre_at(const PlotHint& hint, const ParticleSet& particles) {
+  Array3 centre = hint.centre;
+  for (int axis = 0; axis < particles.dimension; ++axis) {
+    const double lower = particles.box.lower[axis], size = particles.box.size[axis];
+    centre[axis] += hint.velocity[axis] * particles.time;
+    if (particles.box.periodic[axis]) centre[axis] -= size * std::floor((centre[axis] - lower) / size);
+  }
+  return centre;
+}
+
+/// The exact solution sampled along the scene's abscissa from the centre. `v` is v_x along x and y, the azimuthal
+/// velocity along R and the radial one along r, beside the centre's.
+Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& centre, double time) {
+  const auto exact = problem.scene->exact(problem.settings);
+  if (!exact) return nullptr;
+  constexpr int points = 4000;
+  const double gamma = problem.settings.real("sph.gamma");
+  const bool from_centre = hint.abscissa == "R" || hint.abscissa == "r";
+  const int axis = hint.abscissa == "y" ? 1 : 0, component = hint.abscissa == "R" ? 1 : 0;
+  Json profile;
+  for (int k = 0; k < points; ++k) {
+    const double s = hint.from + (k + 0.5) / points * (hint.to - hint.from);
+    Array3 place = centre;
+    place[axis] = from_centre ? centre[axis] + s : s;
+    const GasState state = exact(place, time);
+    profile["abscissa"].push_back(s);
+    profile["rho"].push_back(state.rho);
+    profile["P"].push_back(state.P);
+    profile["v"].push_back(state.v[component] - hint.velocity[component]);
+    profile["u"].push_back(state.P / ((gamma - 1) * state.rho));
+    profile["A"].push_back(state.P / std::pow(state.rho, gamma));
+  }
+  return profile;
+}
+
+}  // namespace
+
+Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& problem, bool exact) {
+  const ParticleSet particles = read_particles(snapshot).particles;
+  const Box& box = particles.box;
+  const PlotHint hint = problem ? problem->scene->plot_hint(problem->settings) : plain_hint(box);
+  const Array3 centre = centre_at(hint, particles);
+  Json json = {{"file", snapshot.string()},
+               {"time", particles.time},
+               {"dimension", particles.dimension},
+               {"box_lower", box.lower},
+               {"box_size", box.size},
+               {"periodic", box.periodic},
+               {"abscissa", hint.abscissa},
+               {"fields", hint.fields},
+               {"from", hint.from},
+               {"to", hint.to},
+               {"centre", centre},
+               {"velocity", hint.velocity},
+               {"map", hint.map},
+               {"exact", nullptr},
+               {"title", snapshot.stem().string()}};
+  if (!problem) return json;
+  const SimulationSettings s = simulation_settings(problem->settings);
+  json["title"] = fmt::format("{}, {} {} {:g}, {} particles", problem->scene->name(), s.scheme, s.kernel, s.neighbours,
+                              particles.size());
+  if (exact) json["exact"] = exact_profile(*problem, hint, centre, particles.time);
+  return json;
+}
+
+}  // namespace sphk

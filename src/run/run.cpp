@@ -1,0 +1,187 @@
+#include "src/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
+#include "src/io/reader.hpp"
+#include "src/report/run_json.hpp"
+#include "src/run/file_scene.hpp"
+#include "src/run/platform.hpp"
+#include "src/run/run_folder.hpp"
+#include "src/run/run_loop.hpp"
+#include "src/run/stop_signal.hpp"
+#include "src/scenes/initial_condition.hpp"
+#include "src/schemes/registry.hpp"
+#include "src/stability/verdict.hpp"
+
+namespace sphk {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where a run begins: at its initial condition, or at the checkpoint of a run that goes on.
+struct Start {
+  std::optional<SavedRun> saved;
+  ParticleSet particles;
+  double begin = 0;  ///< the time at which the run began
+};
+
+Start start_of(const RunRequest& request, const Problem& problem) {
+  if (!request.resume) {
+    Start start{std::nullopt, initial_condition(*problem.scene, problem.settings)};
+    start.begin = start.particles.time;
+    return start;
+  }
+  Start start{newest_checkpoint(*request.resume, *problem.scene, problem.settings), {}};
+  start.particles = read_particles(start.saved->file).particles;
+  start.particles.box = start.saved->box;
+  start.begin = start.saved->loop.begin;
+  return start;
+}
+
+RunLoop::Plan make_plan(const Settings& settings, double begin, double walltime) {
+  const RunLoop::Plan plan{.end = settings.real("time.end"),
+                           .steps = settings.integer("time.max_steps"),
+                           .snapshots = settings.integer("output.snapshots"),
+                           .checkpoint = settings.real("output.checkpoint"),
+                           .walltime = walltime};
+  if (!(plan.end > begin))
+    throw InputError(fmt::format("time.end = {} is not after the start at t = {}: give the end time with --t-end T",
+                                 plan.end, begin));
+  return plan;
+}
+
+/// What is known before the first step.
+RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
+  const SimulationSettings s = simulation_settings(problem.settings);
+  const SchemeDescription description = describe(s, particles);
+  RunRecord record;
+  record.scene = problem.scene->name();
+  record.scheme = s.scheme;
+  record.kernel = s.kernel;
+  record.neighbours = s.neighbours;
+  record.n = problem.settings.has("scene.n") ? problem.settings.integer("scene.n") : 0;
+  record.particles = particles.size();
+  record.dimension = particles.dimension;
+  record.platform = detect_platform(s.precision);
+  record.build = build();
+  record.left_out = description.left_out;
+  if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
+  const std::string remark = stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma);
+  if (!remark.empty()) record.warnings.push_back(remark);
+  const auto periodic = std::ranges::count(particles.box.periodic, true);
+  if (periodic == 0 && s.neighbours > static_cast<double>(particles.size()))
+    record.warnings.push_back(
+        fmt::format("{:g} neighbours are asked of {} particles without periodic images: supports reach over nearly "
+                    "all of them; sph.neighbours sets the number",
+                    s.neighbours, particles.size()));
+  return record;
+}
+
+std::string headline(const RunRecord& r) {
+  return fmt::format(
+      "sphk {}: {} with {} particles in {}D; {} on {}, {} threads, {} precision; scheme {}, kernel {}, {:g} "
+      "neighbours",
+      r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device, r.platform.threads,
+      r.platform.precision, r.scheme, r.kernel, r.neighbours);
+}
+
+void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation,
+                 const Box& box) {
+  record.steps = loop.state().steps;
+  record.time = simulation.time();
+  record.wall_seconds = loop.state().wall;
+  record.cpu_seconds = loop.state().cpu;
+  record.joules = loop.state().joules;
+  record.output_seconds = output.seconds();
+  record.costs = simulation.costs();
+  record.conservation = drift(output.start(), simulation.totals(), box);
+  record.errors = output.errors();
+  record.deviations = output.deviations().by_measure();
+  record.budget = output.budget();
+  for (const std::string& warning : simulation.warnings())
+    if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
+}
+
+std::string scene_file_of(const fs::path& folder) {
+  const fs::path file = folder / "scene.used.toml";
+  if (!fs::exists(file))
+    throw InputError(fmt::format("{} holds no run: name a folder that `sphk run` filled", folder.string()));
+  return file.string();
+}
+
+/// The first lines: what runs, where from, and what is remarkable about it.
+void introduce(Progress& progress, const RunRecord& record, const Start& start) {
+  progress.say(headline(record));
+  if (start.saved)
+    progress.say(fmt::format("goes on from {}, step {}", start.saved->file.string(), start.saved->loop.steps));
+  for (const std::string& remark : record.warnings) progress.say("note: " + remark);
+}
+
+/// Runs the loop to its end, then calls `conclude`; so it does where the numbers go wrong. What failed is told with
+/// where the run until then is, or how it goes on.
+bool finishes(RunLoop& loop, const RunOutput& output, const Checkpoints& checkpoints, RunRecord& record,
+              const std::function<void()>& conclude) {
+  const std::string folder = output.folder().string();
+  try {
+    record.finished = loop.run() == RunLoop::End::finished;
+  } catch (const NumericsError& error) {
+    record.warnings.emplace_back(error.what());
+    conclude();
+    throw NumericsError(fmt::format("{}\nThe run until then is in {}, its last snapshot is {}", error.what(), folder,
+                                    output.last_snapshot()));
+  } catch (const InputError& error) {  // an output that cannot be written
+    if (!checkpoints.any()) throw;
+    throw InputError(fmt::format("{}\nThen go on with: sphk run --resume {}", error.what(), folder));
+  }
+  conclude();
+  return record.finished;
+}
+
+}  // namespace
+
+Problem problem_of(const RunRequest& request) {
+  return request.resume ? resolve_problem(scene_file_of(*request.resume), {})
+                        : resolve_problem(request.what, request.overrides);
+}
+
+RunResult run(const RunRequest& request) {
+  const Problem problem = problem_of(request);
+  const Scene& scene = *problem.scene;
+  const Settings& settings = problem.settings;
+  if (request.out && !request.overwrite) refuse_used_folder(*request.out);
+  const Stopwatch setup;
+  const Start start = start_of(request, problem);
+  RunLoop::Plan plan = make_plan(settings, start.begin, request.walltime);
+  RunRecord record = make_record(problem, start.particles);
+  if (start.saved) std::ranges::copy(start.saved->remarks, std::back_inserter(record.warnings));
+  Progress progress(request.progress, {.from = start.begin, .to = plan.end, .steps = plan.steps});
+  introduce(progress, record, start);
+  const auto simulation = make_simulation(start.particles, simulation_settings(settings));
+  if (start.saved) simulation->restore(start.saved->simulation);
+  record.setup_seconds = setup.wall();
+
+  if (request.stop_on_signals) catch_stop_signals();
+  RunOutput output = start.saved
+                         ? RunOutput(*request.resume, scene, settings, start.saved->output)
+                         : RunOutput(make_run_folder(scene.name(), request.out, request.overwrite), scene, settings);
+  Checkpoints checkpoints(output.folder(), start.saved ? start.saved->file : fs::path());
+  plan.rows = output.deviations().times(start.begin, plan.end);
+  plan.heatings = scene.heatings(settings);
+  const Box& box = start.particles.box;
+  RunLoop loop(*simulation, output, checkpoints, progress, plan, box);
+  if (start.saved) loop.resume(start.saved->loop);
+  const auto conclude = [&] {
+    add_results(record, loop, output, *simulation, box);
+    write_atomically(output.folder() / "run.json", run_json(record));
+  };
+  if (finishes(loop, output, checkpoints, record, conclude)) checkpoints.remove();
+  return {record, output.folder()};
+}
+
+}  // namespace sphk

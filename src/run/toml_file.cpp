@@ -1,0 +1,114 @@
+#include "src/run/toml_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string_view>
+
+#include "src/engine/errors.hpp"
+
+namespace sphk {
+
+namespace {
+
+constexpr int max_brackets = 16;  ///< open at the same place: a list of lists has 2
+constexpr int max_dots = 16;      ///< of one name
+
+/// Bytes of the UTF-8 character that `text` begins with; 0 where it begins with none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(k) & 0xc0) != 0x80) return 0;
+  const bool too_long = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool surrogate = first == 0xed && byte(1) > 0x9f;
+  const bool too_large = first == 0xf4 && byte(1) > 0x8f;
+  return too_long || surrogate || too_large ? 0 : length;
+}
+
+/// Characters of the string or comment that `text` begins with, quotes included; 0 where it begins with neither.
+std::size_t skipped(std::string_view text) {
+  if (text[0] == '#') return std::min(text.find('\n'), text.size());
+  if (text[0] != '"' && text[0] != '\'') return 0;
+  const bool escapes = text[0] == '"';
+  const std::string triple(3, text[0]);
+  const std::string_view quote = text.starts_with(triple) ? std::string_view(triple) : text.substr(0, 1);
+  for (std::size_t k = quote.size(); k < text.size(); ++k) {
+    if (quote.size() == 1 && text[k] == '\n') return k;  // it lacks its end
+    if (text.substr(k).starts_with(quote)) return k + quote.size();
+    if (escapes && text[k] == '\\') ++k;
+  }
+  return text.size();
+}
+
+class Guard {
+ public:
+  Guard(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+
+  void check_characters() const {
+    for (std::size_t k = 0, length = 0; k < text_.size(); k += length) {
+      length = utf8_length(text_.substr(k));
+      if (length == 0) refuse(k, "this is not UTF-8 text; save the file as UTF-8");
+    }
+  }
+
+  void check_nesting() const {
+    int brackets = 0, dots = 0;
+    for (std::size_t k = 0; k < text_.size(); ++k) {
+      if (const std::size_t length = skipped(text_.substr(k))) {
+        k += length - 1;
+        continue;
+      }
+      const char c = text_[k];
+      if (c == '[' || c == '{') ++brackets;
+      if (c == ']' || c == '}') --brackets;
+      if (c == '.') ++dots;
+      if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
+      if (brackets > max_brackets) refuse(k, "brackets are nested too deeply here; close those before");
+      if (dots > max_dots) refuse(k, "a name has too many dots; name the key as in `sphk show SCENE`");
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(std::size_t at, const char* problem) const {
+    const std::string_view before = text_.substr(0, at);
+    const auto line = 1 + std::ranges::count(before, '\n');
+    throw InputError(fmt::format("{}:{}:{}: {}", path_, line, at - (before.rfind('\n') + 1) + 1, problem));
+  }
+
+  const std::string& path_;
+  std::string_view text_;
+};
+
+std::string text_of_file(const std::filesystem::path& path, const std::string& what) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    if (file) return {std::istreambuf_iterator<char>(file), {}};
+  } catch (const std::ios_base::failure&) {  // a folder opens well, but cannot be read
+  }
+  throw InputError(fmt::format("cannot read the {} {}: is the path right?", what, path.string()));
+}
+
+}  // namespace
+
+toml::value parse_toml(const std::filesystem::path& path, const std::string& what) {
+  const std::string text = text_of_file(path, what);
+  const std::string name = path.string();
+  const Guard guard(name, text);
+  guard.check_characters();
+  guard.check_nesting();
+  try {
+    std::istringstream stream(text);
+    return toml::parse(stream, name);
+  } catch (const std::exception& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace sphk

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/study/study_record.hpp"
+
+namespace sphk {
+
+/// What a study found, for the terminal and for the page.
+struct StudyAnswers {
+  struct Part {
+    std::string title;
+    Table table;
+    std::string note;  ///< below the table; may be empty
+  };
+  std::vector<Part> parts;
+  std::string text() const;
+};
+
+StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& results,
+                        const std::vector<OtherPoint>& others);
+
+/// One self-contained HTML page with everything about a study.
+std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
+                        const std::filesystem::path& figure);
+
+}  // namespace sphk

@@ -1,0 +1,45 @@
+#include "src/schemes/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include "src/run/problem.hpp"
+
+namespace sphk {
+namespace {
+
+TEST(Labels, StandForSchemeKernelAndNeighbours) {
+  EXPECT_EQ(
+      keys_of_label("SPHS-HCT442"),
+      (KeyValues{
+          {"sph.scheme", "sphs"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "entropy"}}));
+  EXPECT_EQ(keys_of_label("SPH-CS42"),
+            (KeyValues{{"sph.scheme", "gadget2"}, {"sph.kernel", "cs"}, {"sph.neighbours", "42"}}));
+  EXPECT_EQ(keys_of_label("TSPH-HOCT4-442"),
+            (KeyValues{{"sph.scheme", "tsph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));
+  EXPECT_EQ(keys_of_label("OSPH-HOCT4-442"),
+            (KeyValues{{"sph.scheme", "osph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));
+  EXPECT_EQ(keys_of_label("SPHS-CT128e-multi-g"), (KeyValues{{"sph.scheme", "sphs-morris"},
+                                                             {"sph.kernel", "ct"},
+                                                             {"sph.neighbours", "128"},
+                                                             {"sph.energy", "entropy"},
+                                                             {"scene.masses", "multi"},
+                                                             {"scene.lattice", "glass"}}));
+  EXPECT_EQ(keys_of_label("SPHS-HCT442g"), keys_of_label("SPHS-HCT442-g")) << "S12 writes its suffixes without a dash";
+}
+
+TEST(Labels, LeaveSchemesAndMistakesAlone) {
+  for (const char* text : {"sphs", "gadget2", "SPHS", "SPHS-XY42", "SPH-CS42e", "SPHS-HCT"})
+    EXPECT_FALSE(keys_of_label(text)) << text;
+}
+
+TEST(Labels, AreTakenAsSchemesAndOtherOptionsWin) {
+  const Problem problem = resolve_problem(
+      "gresho", {{"sph.neighbours", "300", "--neighbours"}, {"sph.scheme", "SPHS-HCT442e-g", "--scheme"}});
+  EXPECT_EQ(problem.settings.text("sph.scheme"), "sphs-morris");
+  EXPECT_EQ(problem.settings.text("sph.kernel"), "hoct4");
+  EXPECT_EQ(problem.settings.real("sph.neighbours"), 300);
+  EXPECT_EQ(problem.settings.text("scene.lattice"), "glass");
+}
+
+}  // namespace
+}  // namespace sphk

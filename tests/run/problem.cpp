@@ -1,0 +1,90 @@
+#include "src/run/problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "src/engine/errors.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace sphk {
+namespace {
+
+std::string message_of(const std::string& what, const std::vector<Override>& overrides = {}) {
+  try {
+    resolve_problem(what, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Problem, EverySceneHasItsKeysAndAnEndTime) {
+  for (const Scene* scene : scenes()) {
+    const Problem problem = resolve_problem(scene->name(), {});
+    EXPECT_EQ(problem.scene, scene);
+    EXPECT_GT(problem.settings.real("time.end"), 0) << scene->name();
+  }
+}
+
+TEST(Problem, TheCommandLineWinsOverTheFileAndTheFileOverTheScene) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "my.toml").string();
+  std::ofstream(path) << "scene = \"sod\"\n[sph]\nneighbours = 60\ngamma = 1.5\n";
+  const Problem problem = resolve_problem(path, {{"sph.neighbours", "70", "--neighbours 70"}});
+  EXPECT_EQ(problem.settings.real("sph.neighbours"), 70);
+  EXPECT_EQ(problem.settings.real("sph.gamma"), 1.5);
+  EXPECT_EQ(problem.settings.real("time.end"), 0.2);  // sod's own
+  const auto& keys = problem.settings.keys();
+  EXPECT_EQ(std::ranges::find(keys, "sph.neighbours", &Key::name)->origin, Origin::command_line);
+  EXPECT_EQ(std::ranges::find(keys, "sph.gamma", &Key::name)->origin, Origin::file);
+}
+
+TEST(Problem, ASceneAdaptsToWhatTheUserChose) {
+  // R10's tube has gamma 1.4 (its sec 4.1), S12's 5/3.
+  EXPECT_EQ(resolve_problem("sod", {{"scene.variant", "r10", "--set"}}).settings.real("sph.gamma"), 1.4);
+  EXPECT_DOUBLE_EQ(resolve_problem("sod", {}).settings.real("sph.gamma"), 5.0 / 3);
+}
+
+TEST(Problem, ErrorsOfTheFileAndOfTheCommandLineComeTogether) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "my.toml").string();
+  std::ofstream(path) << "scene = \"sod\"\n[sph]\nneighbors = 60\n";
+  const std::string text =
+      message_of(path, {{"sph.kernal", "cs", "--set sph.kernal=cs"}, {"time.end", "soon", "--t-end soon"}});
+  EXPECT_NE(text.find("my.toml:3:1: there is no key \"sph.neighbors\"; did you mean \"sph.neighbours\"?"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("--set sph.kernal=cs: there is no key \"sph.kernal\"; did you mean \"sph.kernel\"?"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("--t-end soon: time.end = soon: a number is wanted here"), std::string::npos) << text;
+}
+
+TEST(Problem, AnUnknownSceneInAFileIsShownWithItsLine) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "my.toml").string();
+  std::ofstream(path) << "# a tube\nscene = \"sodd\"\n";
+  const std::string text = message_of(path);
+  EXPECT_NE(text.find("my.toml:2:9: "), std::string::npos) << text;
+  EXPECT_NE(text.find("sod"), std::string::npos) << text;
+}
+
+TEST(Problem, AFileWithoutASceneSaysHowToNameOne) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "my.toml").string();
+  std::ofstream(path) << "[sph]\nneighbours = 60\n";
+  EXPECT_NE(message_of(path).find("scene = \"sod\""), std::string::npos);
+}
+
+TEST(Problem, AMissingInitialConditionIsAnInputErrorThatNamesIt) {
+  EXPECT_NE(message_of("missing.hdf5").find("missing.hdf5"), std::string::npos);
+}
+
+TEST(Problem, WithLatticeNeedsNoGlass) {
+  const Problem problem = resolve_problem("sod", {});
+  EXPECT_EQ(with_lattice(problem.settings).text("scene.lattice"), "cubic");
+}
+
+}  // namespace
+}  // namespace sphk
