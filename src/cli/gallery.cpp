@@ -16,7 +16,7 @@
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
 #include "src/report/text_file.hpp"
-#include "src/study/gallery.hpp"
+#include "src/scenes/scene.hpp"
 
 namespace sphk {
 
@@ -26,25 +26,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A tile and what its run came to.
+/// A scene, its tile and what its run came to.
 struct Shown {
-  const GalleryTile* tile;
+  const Scene* scene;
+  GalleryTile tile;
   fs::path folder;
   std::string failure;  ///< empty: there is a run
   Json run;
 };
 
-std::vector<std::string> arguments_of(const GalleryTile& tile) {
-  std::vector<std::string> words{"run", tile.scene, "--set", "output.snapshots=1"};
-  for (const auto& [key, value] : tile.keys) words.insert(words.end(), {"--set", key + "=" + value});
+std::vector<std::string> arguments_of(const Shown& shown) {
+  std::vector<std::string> words{"run", shown.scene->name(), "--set", "output.snapshots=1"};
+  for (const auto& [key, value] : shown.tile.keys) words.insert(words.end(), {"--set", key + "=" + value});
   return words;
 }
 
-Shown show(const GalleryTile& tile, const fs::path& gallery, int threads) {
-  Shown shown{&tile, gallery / "runs" / tile.scene, "", {}};
+Shown show(const Scene& scene, const fs::path& gallery, int threads) {
+  Shown shown{&scene, scene.gallery(), gallery / "runs" / scene.name(), "", {}};
   fs::create_directories(shown.folder.parent_path());
   const fs::path log = shown.folder.string() + ".log";
-  std::vector<std::string> words = arguments_of(tile);
+  std::vector<std::string> words = arguments_of(shown);
   words.insert(words.end(), {"--out", shown.folder.string(), "--overwrite"});
   if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
   const int code = run_child(words, log);
@@ -57,8 +58,9 @@ Shown show(const GalleryTile& tile, const fs::path& gallery, int threads) {
 
 /// "L1(rho) 0.021" of what the tile shows, or how far a measure is from converged runs, or the drift of the energy
 /// where nothing is known.
-std::string error_of(const GalleryTile& tile, const Json& run) {
-  for (const std::string& field : {tile.field, std::string("rho")})
+std::string error_of(const Shown& shown) {
+  const Json& run = shown.run;
+  for (const std::string& field : {shown.tile.field.value_or("rho"), std::string("rho")})
     if (run["errors"].contains(field))
       return fmt::format("L1({}) {:.2g}", field, run["errors"][field]["l1"].get<double>());
   for (const auto& [measure, deviation] : run["deviations"].items())
@@ -82,8 +84,8 @@ std::string seconds_of(const Json& run) {
 
 std::string words_of(const Shown& shown) {
   if (!shown.failure.empty()) return "failed: " + shown.failure;
-  return fmt::format("{}, {}, {} in {}", scheme_of(shown.run), particles_of(shown.run),
-                     error_of(*shown.tile, shown.run), seconds_of(shown.run));
+  return fmt::format("{}, {}, {} in {}", scheme_of(shown.run), particles_of(shown.run), error_of(shown),
+                     seconds_of(shown.run));
 }
 
 fs::path thumbnail(const Shown& shown) {
@@ -97,19 +99,19 @@ void draw(const std::vector<Shown>& tiles, const fs::path& sheet) {
     if (!shown.failure.empty()) continue;
     Json item = describe_snapshot(shown.folder / "snap_0001.hdf5",
                                   resolve_problem((shown.folder / "scene.used.toml").string(), {}), true);
-    item["field"] = shown.tile->field;
-    item["heading"] = shown.tile->scene;
+    item["field"] = shown.tile.field.value_or(item["map"].get<bool>() ? "" : "rho");
+    item["heading"] = shown.scene->name();
     item["words"] = {scheme_of(shown.run) + ", " + particles_of(shown.run),
-                     error_of(*shown.tile, shown.run) + " in " + seconds_of(shown.run)};
+                     error_of(shown) + " in " + seconds_of(shown.run)};
     item["out"] = thumbnail(shown).string();
     items.push_back(item);
   }
   if (!items.empty()) run_plot_script(Json{{"gallery", items}, {"out", sheet.string()}}.dump());
 }
 
-std::string command_of(const GalleryTile& tile) {
+std::string command_of(const Shown& shown) {
   std::string text = "sphk";
-  for (const std::string& word : arguments_of(tile)) text += " " + word;
+  for (const std::string& word : arguments_of(shown)) text += " " + word;
   return text;
 }
 
@@ -120,13 +122,13 @@ std::string page_of(const std::vector<Shown>& tiles) {
       "Points are particles or their means, lines the exact solution.</p>\n<div class=\"tiles\">\n",
       html_text(machine_name()));
   for (const Shown& shown : tiles) {
-    const GalleryTile& tile = *shown.tile;
     const bool there = shown.failure.empty();
+    const std::string name = shown.scene->name();
     body += fmt::format(
         "<figure>{}<figcaption><b>{}</b>: {}<br>{}<br><details><summary>command</summary><code>{}</code></details>"
         "</figcaption></figure>\n",
-        there ? html_image(thumbnail(shown), tile.scene) : "", html_text(tile.scene),
-        html_text(find_scene(tile.scene).summary()), html_text(words_of(shown)), html_text(command_of(tile)));
+        there ? html_image(thumbnail(shown), name) : "", html_text(name), html_text(shown.scene->summary()),
+        html_text(words_of(shown)), html_text(command_of(shown)));
   }
   return html_page("sphk: the gallery", body + "</div>\n");
 }
@@ -135,18 +137,18 @@ std::string page_of(const std::vector<Shown>& tiles) {
 
 int gallery_command(const GalleryOptions& options) {
   for (const std::string& name : options.scenes) find_scene(name);
-  std::vector<const GalleryTile*> wanted;
-  for (const GalleryTile& tile : gallery_tiles())
-    if (options.scenes.empty() || std::ranges::find(options.scenes, tile.scene) != options.scenes.end())
-      wanted.push_back(&tile);
+  std::vector<const Scene*> wanted;
+  for (const Scene* scene : scenes())
+    if (options.scenes.empty() || std::ranges::find(options.scenes, scene->name()) != options.scenes.end())
+      wanted.push_back(scene);
   const fs::path folder = options.out.value_or("gallery");
   fs::create_directories(folder);
   catch_stop_signals();
   std::vector<Shown> tiles;
-  for (const GalleryTile* tile : wanted) {
-    fmt::print("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), tile->scene);
+  for (const Scene* scene : wanted) {
+    fmt::print("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), scene->name());
     std::fflush(stdout);
-    tiles.push_back(show(*tile, folder, options.threads));
+    tiles.push_back(show(*scene, folder, options.threads));
     if (stop_requested()) {
       fmt::print(" stopped\n");
       return ExitCode::stopped;

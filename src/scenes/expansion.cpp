@@ -33,19 +33,12 @@ class Expansion final : public Scene {
   std::string summary() const override { return "gas that expands into vacuum: an isentropic ball, or a slab"; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.variant",
-                      .value = std::string("ball"),
-                      .doc = "ball: isentropic, expands as a whole; slab: rarefactions from two faces",
-                      .choices = {"ball", "slab"}});
+    declare_choice(settings, "scene.variant", "ball",
+                   "ball: isentropic, expands as a whole; slab: rarefactions from two faces", {"ball", "slab"});
     declare_resolution(settings, 16, "particles per unit length: along the radius of the ball, through the slab");
     declare_dimension(settings, 3);
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.across",
-                      .value = std::int64_t{8},
-                      .doc = "particles across the slab, in 2D and 3D",
-                      .choices = {},
-                      .min = 1,
-                      .max = 10000});
+    declare_integer(settings, "scene.across", 8, "particles across the slab, in 2D and 3D", {.min = 1, .max = 10000});
     prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
     adapt(settings);
   }

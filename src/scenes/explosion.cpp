@@ -93,14 +93,9 @@ void Explosion::declare(Settings& settings) const {
   declare_resolution(settings, 64, "particles along the unit box");
   declare_dimension(settings, 3);
   declare_arrangement(settings, "cubic");
-  settings.declare(
-      {.name = "scene.energy", .value = 1.0, .doc = "energy of the explosion", .choices = {}, .min = 1e-300});
-  settings.declare({.name = "scene.coarser",
-                    .value = std::int64_t{1},
-                    .doc = "from x = 0.125 on particles on a lattice this many times coarser",
-                    .choices = {},
-                    .min = 1,
-                    .max = 100});
+  declare_real(settings, "scene.energy", 1.0, "energy of the explosion", {.min = 1e-300});
+  declare_integer(settings, "scene.coarser", 1, "from x = 0.125 on particles on a lattice this many times coarser",
+                  {.min = 1, .max = 100});
   prefer_usual_gas(settings, 0.05);
   adapt(settings);
 }

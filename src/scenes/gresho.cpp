@@ -53,14 +53,10 @@ class Gresho : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 64, "particles along the unit box");
     declare_dimension(settings, 3, 2);
-    settings.declare({.name = "scene.layers",
-                      .value = std::int64_t{0},
-                      .doc = "particles along the axis of the vortex; 0: n/8, as in S12",
-                      .choices = {},
-                      .min = 0,
-                      .max = 100000});
+    declare_integer(settings, "scene.layers", 0, "particles along the axis of the vortex; 0: n/8, as in S12",
+                    {.min = 0, .max = 100000});
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
+    declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_usual_gas(settings, 1.0);
     adapt(settings);
   }
@@ -109,6 +105,15 @@ class Gresho : public Scene {
   PlotHint plot_hint(const Settings& settings) const override {
     const double boost = settings.real("scene.boost");
     return {.abscissa = "R", .from = 0, .to = 0.5, .velocity = {boost, boost, 0}};
+  }
+  GalleryTile gallery() const override {
+    return {.keys = {{"scene.n", "32"},
+                     {"scene.lattice", "glass"},
+                     {"sph.scheme", "sphs-morris"},
+                     {"sph.kernel", "hoct4"},
+                     {"sph.neighbours", "442"},
+                     {"time.courant", "0.4"}},
+            .field = "v"};
   }
 };
 

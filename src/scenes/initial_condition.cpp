@@ -1,5 +1,6 @@
 #include "src/scenes/initial_condition.hpp"
 
+#include "src/scenes/keys.hpp"
 #include "src/scenes/temperatures.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -28,24 +29,15 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
 }  // namespace
 
 void declare_initial_condition_keys(Settings& settings) {
-  settings.declare({.name = "ic.pressure",
-                    .value = 0.0,
-                    .doc = "pressure from which, with the measured density, every u follows; 0: u of the scene",
-                    .choices = {},
-                    .min = 0,
-                    .max = 1e300});
-  settings.declare({.name = "ic.relax",
-                    .value = 0.0,
-                    .doc = "time that the gas settles from rest before the run, without heating by work (V10)",
-                    .choices = {},
-                    .min = 0,
-                    .max = 1e300});
-  settings.declare({.name = "ic.rounds",
-                    .value = std::int64_t{1},
-                    .doc = "parts of ic.relax; with more than one, every u follows from ic.pressure again after each",
-                    .choices = {},
-                    .min = 1,
-                    .max = 10000});
+  declare_real(settings, "ic.pressure", 0.0,
+               "pressure from which, with the measured density, every u follows; 0: u of the scene",
+               {.min = 0, .max = 1e300});
+  declare_real(settings, "ic.relax", 0.0,
+               "time that the gas settles from rest before the run, without heating by work (V10)",
+               {.min = 0, .max = 1e300});
+  declare_integer(settings, "ic.rounds", 1,
+                  "parts of ic.relax; with more than one, every u follows from ic.pressure again after each",
+                  {.min = 1, .max = 10000});
 }
 
 ParticleSet initial_condition(const Scene& scene, const Settings& settings) {

@@ -104,11 +104,7 @@ class Noh : public Scene {
     declare_resolution(settings, 50, "particles per unit length; the gas fills the unit ball, 2n across");
     declare_dimension(settings, 3);
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.cold_pressure",
-                      .value = 1e-6,
-                      .doc = "pressure of the cold gas at the start",
-                      .choices = {},
-                      .min = 1e-300});
+    declare_real(settings, "scene.cold_pressure", 1e-6, "pressure of the cold gas at the start", {.min = 1e-300});
     prefer_usual_gas(settings, 0.6);
     adapt(settings);
   }
@@ -151,6 +147,7 @@ class Noh : public Scene {
     return found;
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.4}; }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "100"}, {"scene.dimension", "2"}}}; }
 };
 
 }  // namespace

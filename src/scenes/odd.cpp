@@ -31,12 +31,10 @@ class Odd final : public Scene {
   std::string summary() const override { return "odd arrangements: coincident, collapsed, alone, far apart, ejected"; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.problem",
-                      .value = std::string("pair"),
-                      .doc =
-                          "pair or ten (at one place), plane (a box collapsed onto it), one (particle), two (1e6 boxes "
-                          "apart), ejected (one leaves at 1e3 times c), line (all on it)",
-                      .choices = {"pair", "ten", "plane", "one", "two", "ejected", "line"}});
+    declare_choice(settings, "scene.problem", "pair",
+                   "pair or ten (at one place), plane (a box collapsed onto it), one (particle), two (1e6 boxes "
+                   "apart), ejected (one leaves at 1e3 times c), line (all on it)",
+                   {"pair", "ten", "plane", "one", "two", "ejected", "line"});
     declare_resolution(settings, 8, "particles along the unit box");
     adapt(settings);
   }
@@ -60,6 +58,7 @@ class Odd final : public Scene {
   }
 
   PlotHint plot_hint(const Settings&) const override { return {.map = true}; }
+  GalleryTile gallery() const override { return {.keys = {{"scene.problem", "ten"}, {"scene.n", "16"}}}; }
 
  private:
   static std::vector<Array3> places(const std::string& problem, int n) {

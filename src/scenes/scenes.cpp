@@ -9,12 +9,9 @@
 namespace sphk {
 
 const std::vector<const Scene*>& scenes() {
-  static const std::vector<const Scene*> table{&sod_scene(),    &sod_multimass_scene(), &tube_scene(),
-                                               &gresho_scene(), &sedov_scene(),         &point_explosion_scene(),
-                                               &noh_scene(),    &expansion_scene(),     &kh12_scene(),
-                                               &kh18_scene(),   &mcnally_scene(),       &shearing_scene(),
-                                               &blob_scene(),   &ring_scene(),          &square_scene(),
-                                               &odd_scene(),    &uniform_scene()};
+#define SPHK_ADDRESS_OF_SCENE(name) &name##_scene(),
+  static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};
+#undef SPHK_ADDRESS_OF_SCENE
   return table;
 }
 

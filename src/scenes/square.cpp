@@ -30,29 +30,18 @@ class Square final : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 32, "particles of the thin gas along the unit box; a multiple of 4");
     declare_dimension(settings, 2, 2);
-    settings.declare({.name = "scene.ratio",
-                      .value = 4.0,
-                      .doc = "density of the dense gas over that of the thin",
-                      .choices = {},
-                      .min = 1,
-                      .max = 1e9});
+    declare_real(settings, "scene.ratio", 4.0, "density of the dense gas over that of the thin",
+                 {.min = 1, .max = 1e9});
     declare_masses(settings, "multi");
-    settings.declare({.name = "scene.finer",
-                      .value = std::int64_t{1},
-                      .doc = "spacing of the thin gas over that of the dense, with scene.masses = multi",
-                      .choices = {},
-                      .min = 1,
-                      .max = 100});
-    settings.declare({.name = "scene.shape",
-                      .value = std::string("square"),
-                      .doc = "of the dense gas: square (in 3D a cube) | layer: 0.25 < y < 0.75",
-                      .choices = {"square", "layer"}});
-    settings.declare({.name = "scene.shear",
-                      .value = 0.0,
-                      .doc = "speed of a dense layer along x relative to the thin gas, half each way",
-                      .choices = {}});
+    declare_integer(settings, "scene.finer", 1,
+                    "spacing of the thin gas over that of the dense, with scene.masses = multi",
+                    {.min = 1, .max = 100});
+    declare_choice(settings, "scene.shape", "square",
+                   "of the dense gas: square (in 3D a cube) | layer: 0.25 < y < 0.75", {"square", "layer"});
+    declare_real(settings, "scene.shear", 0.0,
+                 "speed of a dense layer along x relative to the thin gas, half each way");
     declare_temperatures(settings);
-    settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
+    declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 1);
     adapt(settings);
@@ -133,6 +122,7 @@ class Square final : public Scene {
             .centre = problem.unmoved({0.5, 0.5, 0.5}, -settings.real("time.end")),
             .map = true};
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "32"}}}; }
 
  private:
   struct Problem {

@@ -32,24 +32,12 @@ class UniformGas : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 32, "particles along the unit box");
     declare_dimension(settings, 3);
-    settings.declare({.name = "scene.layers",
-                      .value = std::int64_t{0},
-                      .doc = "particles along the last axis, for thin slabs; 0: n",
-                      .choices = {},
-                      .min = 0,
-                      .max = 100000});
+    declare_integer(settings, "scene.layers", 0, "particles along the last axis, for thin slabs; 0: n",
+                    {.min = 0, .max = 100000});
     declare_arrangement(settings, "glass");
-    settings.declare({.name = "scene.jitter",
-                      .value = 0.0,
-                      .doc = "random shift of every particle, up to this many spacings along each axis",
-                      .choices = {},
-                      .min = 0,
-                      .max = 10});
-    settings.declare({.name = "scene.seed",
-                      .value = std::int64_t{1},
-                      .doc = "of the random places and shifts",
-                      .choices = {},
-                      .min = 0});
+    declare_real(settings, "scene.jitter", 0.0,
+                 "random shift of every particle, up to this many spacings along each axis", {.min = 0, .max = 10});
+    declare_integer(settings, "scene.seed", 1, "of the random places and shifts", {.min = 0});
     prefer_usual_gas(settings, 0.1);
     adapt(settings);
   }
@@ -93,6 +81,7 @@ class UniformGas : public Scene {
     const double spacing = std::pow(size[0] * size[1] * size[2] / count, 1.0 / snapshot.dimension);
     return {{"density_scatter", std::sqrt(variance) / mean}, {"nearest", *fifth / spacing}};
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "24"}}}; }
 
  private:
   static void shake(ParticleSet& gas, double largest, Uniform uniform) {
