@@ -26,7 +26,7 @@ double pressure(const Settings& settings) {
 }
 
 double energy(const Settings& settings, double rho) {
-  return pressure(settings) / ((settings.real("sph.gamma") - 1) * rho);
+  return GasState{.rho = rho, .P = pressure(settings)}.u(settings.real("sph.gamma"));
 }
 
 Array3 from_centre(const Array3& x) {

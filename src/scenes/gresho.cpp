@@ -70,11 +70,11 @@ class Gresho : public Scene {
     gas.dimension = block.dimension;
     gas.box = {block.lower, block.size, {true, true, block.dimension == 3}};
     gas.x = arranged_points(block, settings.text("scene.lattice"));
-    gas.m.assign(gas.size(), block.size[2] / double(gas.size()));
+    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
     for (const Array3& x : gas.x) {
       const GasState state = start(x, 0);
       gas.v.push_back(state.v);
-      gas.u.push_back(state.P / (gamma - 1));
+      gas.u.push_back(state.u(gamma));
     }
     return gas;
   }
@@ -99,7 +99,7 @@ class Gresho : public Scene {
       std::ranges::copy(unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, boost, snapshot.time), &x[3 * i]);
       for (int axis = 0; axis < 2; ++axis) v[3 * i + axis] -= boost;
     }
-    return profile_errors(resting, along_R(0.5), [](const Array3& x, double) { return vortex(x); });
+    return profile_errors(resting, along_R(0.5), [](const Array3& place, double) { return vortex(place); });
   }
   /// Around the centre of the vortex at the end.
   PlotHint plot_hint(const Settings& settings) const override {

@@ -22,8 +22,8 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
   const auto run = make_simulation(resting, simulation);
   while (run->time() < time) run->step(time);
   const Snapshot settled = run->snapshot();
-  const std::vector<double>&x = settled.field("Coordinates").values, &u = settled.field("InternalEnergies").values;
-  for (std::size_t i = 0; i < gas.size(); ++i) gas.x[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, gas.u[i] = u[i];
+  gas.x = rows(settled.field("Coordinates"));
+  gas.u = settled.field("InternalEnergies").values;
 }
 
 }  // namespace

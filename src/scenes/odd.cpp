@@ -52,7 +52,7 @@ class Odd final : public Scene {
     if (problem == "pair" || problem == "ten" || problem == "plane") gas.box.periodic = {true, true, true};
     gas.v.assign(gas.size(), {});
     gas.m.assign(gas.size(), 1 / static_cast<double>(gas.size()));
-    gas.u.assign(gas.size(), pressure / (gamma - 1));
+    gas.u.assign(gas.size(), GasState{.rho = 1, .P = pressure}.u(gamma));
     if (problem == "ejected") gas.v.back()[0] = escape_speed * std::sqrt(gamma * pressure);
     return gas;
   }
@@ -71,7 +71,8 @@ class Odd final : public Scene {
       for (Array3& x : points) x[2] = 0.5;
     if (problem == "line") {
       points.resize(static_cast<std::size_t>(n) * n);
-      for (std::size_t i = 0; i < points.size(); ++i) points[i] = {(i + 0.5) / points.size(), 0.5, 0.5};
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {(static_cast<double>(i) + 0.5) / static_cast<double>(points.size()), 0.5, 0.5};
     }
     return points;
   }

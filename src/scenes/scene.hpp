@@ -17,7 +17,12 @@ struct GasState {
   double rho = 0;
   Array3 v{};
   double P = 0;
+  /// Specific thermal energy of an ideal gas.
+  double u(double gamma) const { return P / ((gamma - 1) * rho); }
 };
+
+/// The rows of a field of vectors.
+std::vector<Array3> rows(const Field& field);
 
 /// One error norm: mean |error| (l1), root mean square (l2), largest (linf) and where the largest sits.
 struct ErrorNorm {

@@ -8,6 +8,12 @@
 
 namespace sphk {
 
+std::vector<Array3> rows(const Field& field) {
+  std::vector<Array3> rows(field.values.size() / 3);
+  for (std::size_t k = 0; k < field.values.size(); ++k) rows[k / 3][k % 3] = field.values[k];
+  return rows;
+}
+
 const std::vector<const Scene*>& scenes() {
 #define SPHK_ADDRESS_OF_SCENE(name) &name##_scene(),
   static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};

@@ -62,10 +62,9 @@ ParticleSet ShearLayers::build(const Settings& settings) const {
     place_equal_masses(gas, flow, settings);
   else
     place_even(gas, even, flow, settings);
-  const double gamma = settings.real("sph.gamma");
   set_velocities(gas, settings);
   for (const auto& [x, y, z] : gas.x) {
-    gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
+    gas.u.push_back(GasState{.rho = flow.rho(y), .P = flow.pressure}.u(settings.real("sph.gamma")));
     gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
   }
   smooth_temperatures(gas, flow.pressure, settings);

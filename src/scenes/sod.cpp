@@ -56,11 +56,10 @@ Tube tube_of(const Settings& settings) {
 
 void add_block(ParticleSet& gas, const Block& block, const TubeState& state, const Settings& settings) {
   const auto points = arranged_points(block, settings.text("scene.lattice"));
-  const double volume = block.size[0] * block.size[1] * block.size[2];
   gas.x.insert(gas.x.end(), points.begin(), points.end());
   gas.v.resize(gas.x.size(), {state.v, 0, 0});
-  gas.m.resize(gas.x.size(), state.rho * volume / double(points.size()));
-  gas.u.resize(gas.x.size(), state.P / ((settings.real("sph.gamma") - 1) * state.rho));
+  gas.m.resize(gas.x.size(), state.rho * block.volume() / double(points.size()));
+  gas.u.resize(gas.x.size(), GasState{.rho = state.rho, .P = state.P}.u(settings.real("sph.gamma")));
 }
 
 /// S12 sec 7.2: the test starts with a shock, so alpha = 1 around the jump, and around its mirror image at the ends.

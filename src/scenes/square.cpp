@@ -69,7 +69,7 @@ class Square final : public Scene {
       gas.x.push_back(x);
       gas.v.push_back(problem.velocity(tag));
       gas.m.push_back(rho * volume);
-      gas.u.push_back(pressure / ((settings.real("sph.gamma") - 1) * rho));
+      gas.u.push_back(GasState{.rho = rho, .P = pressure}.u(settings.real("sph.gamma")));
       gas.tag.push_back(tag);
     };
     for (const Array3& x : lattice_points(thin))
@@ -92,18 +92,18 @@ class Square final : public Scene {
   std::vector<std::pair<std::string, double>> measures(const Settings& settings,
                                                        const Snapshot& snapshot) const override {
     const Problem problem(settings);
-    const auto &P = snapshot.field("Pressures").values, &v = snapshot.field("Velocities").values;
-    const auto &tag = snapshot.field("PhaseTags").values, &x = snapshot.field("Coordinates").values;
+    const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+    const auto &P = snapshot.field("Pressures").values, &tag = snapshot.field("PhaseTags").values;
     const auto& m = snapshot.field("Masses").values;
     double blip = 0, speed = 0, mass = 0;
     Array3 moment{};
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
       const Array3 start = problem.velocity(static_cast<int>(tag[i]));
       blip = std::max(blip, std::abs(P[i] / pressure - 1));
-      speed = std::max(speed, std::hypot(v[3 * i] - start[0], v[3 * i + 1] - start[1], v[3 * i + 2] - start[2]));
+      speed = std::max(speed, std::hypot(v[i][0] - start[0], v[i][1] - start[1], v[i][2] - start[2]));
       if (tag[i] != dense_gas) continue;
       mass += m[i];
-      const Array3 place = problem.unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, snapshot.time);
+      const Array3 place = problem.unmoved(x[i], snapshot.time);
       for (int axis = 0; axis < problem.dimension; ++axis)
         if (problem.bounded(axis)) moment[axis] += m[i] * (place[axis] - 0.5);
     }

@@ -115,7 +115,7 @@ class Tube final : public Scene {
     gas.dimension = D;
     gas.box = {block.lower, block.size, {problem.walls, D > 1, D > 2}};
     if (problem.walls) gas.box.lower[0] -= length, gas.box.size[0] *= 2;
-    const double volume = block.size[0] * block.size[1] * block.size[2] / double(block.particles());
+    const double volume = block.volume() / double(block.particles());
     for (Array3 x : lattice_points(block))
       for (const bool mirrored : {false, true}) {
         if (mirrored && !problem.walls) continue;
@@ -124,7 +124,7 @@ class Tube final : public Scene {
         if (mirrored) gas.x.back()[0] = 2 * problem.lower - x[0];
         gas.v.push_back({mirrored ? -state.v : state.v, 0, 0});
         gas.m.push_back(state.rho * volume);
-        gas.u.push_back(state.P / ((problem.gamma - 1) * state.rho));
+        gas.u.push_back(GasState{.rho = state.rho, .P = state.P}.u(problem.gamma));
       }
     return gas;
   }

@@ -51,8 +51,8 @@ class UniformGas : public Scene {
     gas.box = {block.lower, block.size, {true, block.dimension > 1, block.dimension > 2}};
     gas.x = arranged_points(block, settings.text("scene.lattice"), settings.integer("scene.seed"));
     gas.v.assign(gas.size(), {});
-    gas.m.assign(gas.size(), block.size[0] * block.size[1] * block.size[2] / double(gas.size()));
-    gas.u.assign(gas.size(), 1 / (settings.real("sph.gamma") - 1));
+    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
+    gas.u.assign(gas.size(), GasState{.rho = 1, .P = 1}.u(settings.real("sph.gamma")));
     shake(gas, settings.real("scene.jitter") / scene_n(settings), Uniform(settings.integer("scene.seed")));
     return gas;
   }
@@ -66,15 +66,15 @@ class UniformGas : public Scene {
   /// density_scatter: standard deviation of the particles' densities over their mean. nearest: distance to the nearest
   /// neighbour that 5 % of the particles fall short of, over the mean spacing.
   std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
-    const std::vector<double>&rho = snapshot.field("Densities").values, &x = snapshot.field("Coordinates").values;
+    const std::vector<double>& rho = snapshot.field("Densities").values;
+    const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
     const auto count = static_cast<double>(snapshot.size());
     const double mean = std::accumulate(rho.begin(), rho.end(), 0.0) / count;
     double variance = 0;
     for (const double one : rho) variance += (one - mean) * (one - mean) / count;
     const NearestParticle nearest(snapshot);
     std::vector<double> distances(snapshot.size());
-    for (std::size_t i = 0; i < distances.size(); ++i)
-      distances[i] = nearest.distance({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, i);
+    for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = nearest.distance(x[i], i);
     const auto fifth = distances.begin() + static_cast<std::ptrdiff_t>(snapshot.size() / 20);
     std::ranges::nth_element(distances, fifth);
     const Array3& size = snapshot.box.size;
