@@ -9,7 +9,7 @@
 #include "src/run/plot.hpp"
 #include "src/run/rates.hpp"
 #include "src/run/run.hpp"
-#include "src/study/gallery_page.hpp"
+#include "src/study/gallery.hpp"
 #include "src/study/study_request.hpp"
 
 namespace sphk {

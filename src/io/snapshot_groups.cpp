@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <numbers>
 
+#include "src/engine/geometry.hpp"
 #include "src/io/kernel_gamma.hpp"
 
 namespace sphk {
@@ -108,16 +108,15 @@ void write_parameters(hdf5::Group parameters, bool periodic, const Settings& set
 }
 
 void write_hydro_scheme(hdf5::Group hydro, const Snapshot& snapshot, const SnapshotInfo& info) {
-  using std::numbers::pi;
   const double gamma = kernel_gamma(info.kernel, snapshot.dimension);
-  const double unit_sphere = snapshot.dimension == 1 ? 2 : snapshot.dimension == 2 ? pi : 4 * pi / 3;
   hydro.set("Scheme", info.scheme);
   hydro.set("Kernel function", info.kernel);
   hydro.set("Dimension", std::int32_t{snapshot.dimension});
   hydro.set("Adiabatic index", snapshot.gamma);
   hydro.set("Kernel gamma", gamma);
   // S12 eq 11, N = V_D (H/dx)^D with H = gamma eta dx, solved for SWIFT's eta.
-  hydro.set("Kernel eta", std::pow(info.neighbours / unit_sphere, 1.0 / snapshot.dimension) / gamma);
+  hydro.set("Kernel eta",
+            std::pow(info.neighbours / unit_sphere_volume(snapshot.dimension), 1.0 / snapshot.dimension) / gamma);
   hydro.set("Kernel target N_ngb", info.neighbours);
   hydro.set("CFL parameter", info.courant);
 }

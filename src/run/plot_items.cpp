@@ -46,7 +46,7 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& c
     profile["rho"].push_back(state.rho);
     profile["P"].push_back(state.P);
     profile["v"].push_back(state.v[component] - hint.velocity[component]);
-    profile["u"].push_back(state.P / ((gamma - 1) * state.rho));
+    profile["u"].push_back(state.u(gamma));
     profile["A"].push_back(state.P / std::pow(state.rho, gamma));
   }
   return profile;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "src/scenes/block.hpp"
@@ -24,7 +26,7 @@ double pressure(const Settings& settings) {
 }
 
 double energy(const Settings& settings, double rho) {
-  return pressure(settings) / ((settings.real("sph.gamma") - 1) * rho);
+  return GasState{.rho = rho, .P = pressure(settings)}.u(settings.real("sph.gamma"));
 }
 
 Array3 from_centre(const Array3& x) {
@@ -119,6 +121,9 @@ class Blob final : public Scene {
   }
   PlotHint plot_hint(const Settings&) const override {
     return {.abscissa = "x", .from = 0, .to = box_size[0], .map = true};
+  }
+  GalleryTile gallery() const override {
+    return {.keys = {{"scene.n", "32"}, {"time.end", fmt::format("{:.4g}", growth_time())}}};
   }
 };
 

@@ -25,30 +25,6 @@ Array3 in_block(const Block& block, const Array3& spacings) {
   return x;
 }
 
-}  // namespace
-
-std::size_t Block::particles() const {
-  return std::size_t(counts[0]) * counts[1] * counts[2];
-}
-
-Counts even_counts(int dimension, int n) {
-  return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1};
-}
-
-double wrapped(double x, double size) {
-  const double inside = x - size * std::floor(x / size);
-  return inside < size ? inside : 0;  // a tiny negative x rounds up to the far edge
-}
-
-std::vector<Array3> lattice_points(const Block& block) {
-  std::vector<Array3> x;
-  x.reserve(block.particles());
-  for_each_cell(block.counts, [&](const Counts& cell) {
-    x.push_back(in_block(block, {cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5}));
-  });
-  return x;
-}
-
 std::vector<Array3> glass_points(const Block& block) {
   const Counts tile = glass_tile(block.counts, block.dimension);
   const std::vector<Array3> points = glass(block.dimension, tile);
@@ -67,6 +43,36 @@ std::vector<Array3> random_points(const Block& block, std::uint64_t seed) {
   std::vector<Array3> x(block.particles());
   for (Array3& point : x)
     for (int axis = 0; axis < block.dimension; ++axis) point[axis] = block.lower[axis] + block.size[axis] * uniform();
+  return x;
+}
+
+}  // namespace
+
+std::size_t Block::particles() const {
+  return std::size_t(counts[0]) * counts[1] * counts[2];
+}
+
+Counts even_counts(int dimension, int n) {
+  return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1};
+}
+
+Block centred_cube(int dimension, int n, double half) {
+  Block block{.dimension = dimension, .counts = even_counts(dimension, n)};
+  for (int axis = 0; axis < dimension; ++axis) block.lower[axis] = -half, block.size[axis] = 2 * half;
+  return block;
+}
+
+double wrapped(double x, double size) {
+  const double inside = x - size * std::floor(x / size);
+  return inside < size ? inside : 0;  // a tiny negative x rounds up to the far edge
+}
+
+std::vector<Array3> lattice_points(const Block& block) {
+  std::vector<Array3> x;
+  x.reserve(block.particles());
+  for_each_cell(block.counts, [&](const Counts& cell) {
+    x.push_back(in_block(block, {cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5}));
+  });
   return x;
 }
 

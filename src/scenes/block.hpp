@@ -19,10 +19,14 @@ struct Block {
   Array3 size{1, 1, 1};
 
   std::size_t particles() const;
+  double volume() const { return size[0] * size[1] * size[2]; }
 };
 
 /// counts = n along the first `dimension` axes, 1 along the others.
 Counts even_counts(int dimension, int n);
+
+/// n particles a side of the box from -half to half along every axis.
+Block centred_cube(int dimension, int n, double half);
 
 /// x modulo size, in [0, size).
 double wrapped(double x, double size);
@@ -30,15 +34,10 @@ double wrapped(double x, double size);
 /// Centres of the block's cells; coordinates beyond the dimension are 0.
 std::vector<Array3> lattice_points(const Block& block);
 
-/// Copies of a glass side by side, stretched to the block. The glass is relaxed at first use and cached (glass.hpp).
-/// Throws InputError where the counts have no common tile.
-std::vector<Array3> glass_points(const Block& block);
-
-/// As many points anywhere in the block, with equal chance and each for itself.
-std::vector<Array3> random_points(const Block& block, std::uint64_t seed);
-
-/// `arrangement`: cubic | glass | random, as in the key scene.lattice. In 1D a glass is the lattice, which is what
-/// relaxes there.
+/// `arrangement`: cubic | glass | random, as in the key scene.lattice. glass: copies of a glass side by side, stretched
+/// to the block, which is relaxed at first use and cached (glass.hpp); in 1D the lattice, which is what relaxes there.
+/// random: points anywhere in the block, with equal chance and each for itself. Throws InputError where the counts
+/// have no common tile of a glass.
 std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement, std::uint64_t seed = 1);
 
 }  // namespace sphk

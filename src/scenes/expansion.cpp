@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "src/engine/geometry.hpp"
 #include "src/scenes/block.hpp"
 #include "src/scenes/homologous.hpp"
 #include "src/scenes/keys.hpp"
@@ -33,19 +34,12 @@ class Expansion final : public Scene {
   std::string summary() const override { return "gas that expands into vacuum: an isentropic ball, or a slab"; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.variant",
-                      .value = std::string("ball"),
-                      .doc = "ball: isentropic, expands as a whole; slab: rarefactions from two faces",
-                      .choices = {"ball", "slab"}});
+    declare_choice(settings, "scene.variant", "ball",
+                   "ball: isentropic, expands as a whole; slab: rarefactions from two faces", {"ball", "slab"});
     declare_resolution(settings, 16, "particles per unit length: along the radius of the ball, through the slab");
     declare_dimension(settings, 3);
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.across",
-                      .value = std::int64_t{8},
-                      .doc = "particles across the slab, in 2D and 3D",
-                      .choices = {},
-                      .min = 1,
-                      .max = 10000});
+    declare_integer(settings, "scene.across", 8, "particles across the slab, in 2D and 3D", {.min = 1, .max = 10000});
     prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
     adapt(settings);
   }
@@ -56,18 +50,14 @@ class Expansion final : public Scene {
     const int D = scene_dimension(settings);
     prefer_unless_set(settings, "time.end", is_slab(settings) ? 0.4 : 2 + 0.28 * D);
     prefer_usual_kernel(settings, D);
-    const double sphere = D == 1 ? 2 : D == 2 ? M_PI : 4 * M_PI / 3;
-    const double h = std::pow(settings.real("sph.neighbours") / sphere, 1.0 / D) / scene_n(settings);
+    const double h = std::pow(settings.real("sph.neighbours") / unit_sphere_volume(D), 1.0 / D) / scene_n(settings);
     prefer_unless_set(settings, "sph.h_max", 10 * h);
   }
 
   ParticleSet build(const Settings& settings) const override {
     ParticleSet gas = is_slab(settings) ? even_slab(settings) : ball(settings);
     const auto start = exact(settings);
-    for (const Array3& x : gas.x) {
-      const GasState state = start(x, 0);
-      gas.u.push_back(state.P / ((settings.real("sph.gamma") - 1) * state.rho));
-    }
+    for (const Array3& x : gas.x) gas.u.push_back(start(x, 0).u(settings.real("sph.gamma")));
     gas.v.assign(gas.size(), {});
     return gas;
   }
@@ -92,12 +82,12 @@ class Expansion final : public Scene {
                                                        const Snapshot& snapshot) const override {
     const auto solution = exact(settings);
     const double to = reach(settings, snapshot.time);
-    const auto &x = snapshot.field("Coordinates").values, &rho = snapshot.field("Densities").values;
+    const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+    const auto& rho = snapshot.field("Densities").values;
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
-      const Array3 place{x[3 * i], x[3 * i + 1], x[3 * i + 2]};
-      const double wanted = solution(place, snapshot.time).rho;
-      if (!(wanted > 0) || (is_slab(settings) ? std::abs(place[0]) : radius(place)) > to) continue;
+      const double wanted = solution(x[i], snapshot.time).rho;
+      if (!(wanted > 0) || (is_slab(settings) ? std::abs(x[i][0]) : radius(x[i])) > to) continue;
       sum += std::pow(rho[i] / wanted - 1, 2);
       ++count;
     }
@@ -125,7 +115,7 @@ class Expansion final : public Scene {
     gas.dimension = D;
     gas.box = {block.lower, block.size, {false, D > 1, D > 2}};
     gas.x = arranged_points(block, settings.text("scene.lattice"));
-    gas.m.assign(gas.size(), block.size[1] * block.size[2] / double(gas.size()));
+    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
     return gas;
   }
 
@@ -134,8 +124,7 @@ class Expansion final : public Scene {
     const int D = scene_dimension(settings), n = scene_n(settings);
     const HomologousExpansion expansion(D, settings.real("sph.gamma"));
     const MassProfile profile([&](double r) { return expansion.at({r, 0, 0}, 1).rho * std::pow(r, D - 1); }, 0, 1);
-    Block block{.dimension = D, .counts = even_counts(D, 2 * n)};
-    for (int axis = 0; axis < D; ++axis) block.lower[axis] = -1, block.size[axis] = 2;
+    const Block block = centred_cube(D, 2 * n, 1);
     ParticleSet gas;
     gas.dimension = D;
     gas.box = {block.lower, block.size, {}};
@@ -146,8 +135,7 @@ class Expansion final : public Scene {
       for (double& s : x) s *= stretch;
       gas.x.push_back(x);
     }
-    const double sphere = D == 1 ? 2 : D == 2 ? 2 * M_PI : 4 * M_PI;
-    gas.m.assign(gas.size(), sphere * profile.mass() / double(gas.size()));
+    gas.m.assign(gas.size(), D * unit_sphere_volume(D) * profile.mass() / double(gas.size()));
     return gas;
   }
 };

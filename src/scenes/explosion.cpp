@@ -23,14 +23,13 @@ constexpr double density = 1;
 /// with a shock and does not feel how wide that is smeared.
 template <class F>
 double kinetic_radius(const Snapshot& snapshot, F&& counts) {
-  const auto &x = snapshot.field("Coordinates").values, &v = snapshot.field("Velocities").values;
+  const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
   const auto& m = snapshot.field("Masses").values;
   double sum = 0, energy = 0;
   for (std::size_t i = 0; i < m.size(); ++i) {
-    const Array3 place{x[3 * i], x[3 * i + 1], x[3 * i + 2]};
-    if (!counts(place)) continue;
-    const double one = m[i] * (v[3 * i] * v[3 * i] + v[3 * i + 1] * v[3 * i + 1] + v[3 * i + 2] * v[3 * i + 2]);
-    sum += one * radius(place);
+    if (!counts(x[i])) continue;
+    const double one = m[i] * dot(v[i], v[i]);
+    sum += one * radius(x[i]);
     energy += one;
   }
   return energy > 0 ? sum / energy : 0;
@@ -70,8 +69,7 @@ double kinetic_radius(const SedovSolution& solution, int dimension) {
 std::vector<Block> blocks_of(const Settings& settings) {
   const int D = scene_dimension(settings), n = scene_n(settings);
   const int coarser = static_cast<int>(settings.integer("scene.coarser"));
-  Block fine{.dimension = D, .counts = even_counts(D, n)};
-  for (int axis = 0; axis < D; ++axis) fine.lower[axis] = -0.5;
+  Block fine = centred_cube(D, n, 0.5);
   if (coarser == 1) return {fine};
   if (n % coarser != 0 || n < 3 * coarser)
     throw InputError(
@@ -93,14 +91,9 @@ void Explosion::declare(Settings& settings) const {
   declare_resolution(settings, 64, "particles along the unit box");
   declare_dimension(settings, 3);
   declare_arrangement(settings, "cubic");
-  settings.declare(
-      {.name = "scene.energy", .value = 1.0, .doc = "energy of the explosion", .choices = {}, .min = 1e-300});
-  settings.declare({.name = "scene.coarser",
-                    .value = std::int64_t{1},
-                    .doc = "from x = 0.125 on particles on a lattice this many times coarser",
-                    .choices = {},
-                    .min = 1,
-                    .max = 100});
+  declare_real(settings, "scene.energy", 1.0, "energy of the explosion", {.min = 1e-300});
+  declare_integer(settings, "scene.coarser", 1, "from x = 0.125 on particles on a lattice this many times coarser",
+                  {.min = 1, .max = 100});
   prefer_usual_gas(settings, 0.05);
   adapt(settings);
 }
@@ -119,7 +112,7 @@ ParticleSet Explosion::build(const Settings& settings) const {
     gas.m.resize(gas.size(), density * block.size[0] / static_cast<double>(points.size()));
   }
   gas.v.assign(gas.size(), {});
-  gas.u.assign(gas.size(), ambient_pressure(settings) / ((settings.real("sph.gamma") - 1) * density));
+  gas.u.assign(gas.size(), GasState{.rho = density, .P = ambient_pressure(settings)}.u(settings.real("sph.gamma")));
   explode(gas, settings);
   return gas;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "src/scenes/keys.hpp"
+#include "src/scenes/scene.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -47,10 +48,7 @@ std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::ve
     if (now > 0.98 * before) break;
     before = now;
   }
-  const std::vector<double> x = simulation->snapshot().field("Coordinates").values;
-  std::vector<Array3> relaxed(x.size() / 3);
-  for (std::size_t i = 0; i < relaxed.size(); ++i) relaxed[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
-  return relaxed;
+  return rows(simulation->snapshot().field("Coordinates"));
 }
 
 }  // namespace sphk

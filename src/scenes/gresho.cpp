@@ -53,14 +53,10 @@ class Gresho : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 64, "particles along the unit box");
     declare_dimension(settings, 3, 2);
-    settings.declare({.name = "scene.layers",
-                      .value = std::int64_t{0},
-                      .doc = "particles along the axis of the vortex; 0: n/8, as in S12",
-                      .choices = {},
-                      .min = 0,
-                      .max = 100000});
+    declare_integer(settings, "scene.layers", 0, "particles along the axis of the vortex; 0: n/8, as in S12",
+                    {.min = 0, .max = 100000});
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
+    declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_usual_gas(settings, 1.0);
     adapt(settings);
   }
@@ -74,11 +70,11 @@ class Gresho : public Scene {
     gas.dimension = block.dimension;
     gas.box = {block.lower, block.size, {true, true, block.dimension == 3}};
     gas.x = arranged_points(block, settings.text("scene.lattice"));
-    gas.m.assign(gas.size(), block.size[2] / double(gas.size()));
+    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
     for (const Array3& x : gas.x) {
       const GasState state = start(x, 0);
       gas.v.push_back(state.v);
-      gas.u.push_back(state.P / (gamma - 1));
+      gas.u.push_back(state.u(gamma));
     }
     return gas;
   }
@@ -103,12 +99,21 @@ class Gresho : public Scene {
       std::ranges::copy(unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, boost, snapshot.time), &x[3 * i]);
       for (int axis = 0; axis < 2; ++axis) v[3 * i + axis] -= boost;
     }
-    return profile_errors(resting, along_R(0.5), [](const Array3& x, double) { return vortex(x); });
+    return profile_errors(resting, along_R(0.5), [](const Array3& place, double) { return vortex(place); });
   }
   /// Around the centre of the vortex at the end.
   PlotHint plot_hint(const Settings& settings) const override {
     const double boost = settings.real("scene.boost");
     return {.abscissa = "R", .from = 0, .to = 0.5, .velocity = {boost, boost, 0}};
+  }
+  GalleryTile gallery() const override {
+    return {.keys = {{"scene.n", "32"},
+                     {"scene.lattice", "glass"},
+                     {"sph.scheme", "sphs-morris"},
+                     {"sph.kernel", "hoct4"},
+                     {"sph.neighbours", "442"},
+                     {"time.courant", "0.4"}},
+            .field = "v"};
   }
 };
 

@@ -1,5 +1,6 @@
 #include "src/scenes/initial_condition.hpp"
 
+#include "src/scenes/keys.hpp"
 #include "src/scenes/temperatures.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -21,31 +22,22 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
   const auto run = make_simulation(resting, simulation);
   while (run->time() < time) run->step(time);
   const Snapshot settled = run->snapshot();
-  const std::vector<double>&x = settled.field("Coordinates").values, &u = settled.field("InternalEnergies").values;
-  for (std::size_t i = 0; i < gas.size(); ++i) gas.x[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, gas.u[i] = u[i];
+  gas.x = rows(settled.field("Coordinates"));
+  gas.u = settled.field("InternalEnergies").values;
 }
 
 }  // namespace
 
 void declare_initial_condition_keys(Settings& settings) {
-  settings.declare({.name = "ic.pressure",
-                    .value = 0.0,
-                    .doc = "pressure from which, with the measured density, every u follows; 0: u of the scene",
-                    .choices = {},
-                    .min = 0,
-                    .max = 1e300});
-  settings.declare({.name = "ic.relax",
-                    .value = 0.0,
-                    .doc = "time that the gas settles from rest before the run, without heating by work (V10)",
-                    .choices = {},
-                    .min = 0,
-                    .max = 1e300});
-  settings.declare({.name = "ic.rounds",
-                    .value = std::int64_t{1},
-                    .doc = "parts of ic.relax; with more than one, every u follows from ic.pressure again after each",
-                    .choices = {},
-                    .min = 1,
-                    .max = 10000});
+  declare_real(settings, "ic.pressure", 0.0,
+               "pressure from which, with the measured density, every u follows; 0: u of the scene",
+               {.min = 0, .max = 1e300});
+  declare_real(settings, "ic.relax", 0.0,
+               "time that the gas settles from rest before the run, without heating by work (V10)",
+               {.min = 0, .max = 1e300});
+  declare_integer(settings, "ic.rounds", 1,
+                  "parts of ic.relax; with more than one, every u follows from ic.pressure again after each",
+                  {.min = 1, .max = 10000});
 }
 
 ParticleSet initial_condition(const Scene& scene, const Settings& settings) {

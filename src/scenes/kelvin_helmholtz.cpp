@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "src/engine/errors.hpp"
+#include "src/scenes/keys.hpp"
 #include "src/scenes/scenes.hpp"
 #include "src/scenes/shear_layers.hpp"
 
@@ -25,10 +26,8 @@ class KelvinHelmholtz final : public ShearLayers {
   }
   void declare(Settings& settings) const override {
     ShearLayers::declare(settings);
-    settings.declare({.name = "scene.edges",
-                      .value = std::string("sharp"),
-                      .doc = "of the layers; soft: density and velocity follow tanh(distance/0.01)",
-                      .choices = {"sharp", "soft"}});
+    declare_choice(settings, "scene.edges", "sharp",
+                   "of the layers; soft: density and velocity follow tanh(distance/0.01)", {"sharp", "soft"});
   }
   /// Grid runs of the layers with soft edges, converged with resolution; sharp ones never converge.
   std::vector<Reference> references(const Settings& settings) const override {
@@ -41,6 +40,13 @@ class KelvinHelmholtz final : public ShearLayers {
     add("W", 0.5, 0.112), add("W", 1, 0.197);
     add("crossed", 0.5, 0.098), add("crossed", 1, 0.172);
     return references;
+  }
+  std::string keys_with_references() const override { return ratio_ == 2 ? "scene.edges=soft" : ""; }
+  GalleryTile gallery() const override {
+    GalleryTile tile{.keys = {{"scene.n", "64"}, {"scene.dimension", "2"}, {"scene.edges", "soft"}}};
+    if (ratio_ == 8) tile.keys.emplace_back("scene.masses", "multi");
+    tile.keys.emplace_back("time.end", fmt::format("{:.6g}", growth_time()));
+    return tile;
   }
 
  protected:

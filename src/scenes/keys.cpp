@@ -10,32 +10,37 @@ void prefer_unless_set(Settings& settings, std::string_view name, const Value& v
   settings.prefer(name, value);
 }
 
-void declare_resolution(Settings& settings, int n, std::string doc) {
+void declare_integer(Settings& settings, std::string name, std::int64_t standard, std::string doc, Range range) {
+  settings.declare({std::move(name), standard, std::move(doc), {}, range.min, range.max});
+}
+
+void declare_real(Settings& settings, std::string name, double standard, std::string doc, Range range) {
+  settings.declare({std::move(name), standard, std::move(doc), {}, range.min, range.max});
+}
+
+void declare_choice(Settings& settings, std::string name, std::string standard, std::string doc,
+                    std::vector<std::string> choices) {
   settings.declare(
-      {.name = "scene.n", .value = std::int64_t{n}, .doc = std::move(doc), .choices = {}, .min = 2, .max = 100000});
+      {.name = std::move(name), .value = std::move(standard), .doc = std::move(doc), .choices = std::move(choices)});
+}
+
+void declare_resolution(Settings& settings, int n, std::string doc) {
+  declare_integer(settings, "scene.n", n, std::move(doc), {.min = 2, .max = 100000});
 }
 
 void declare_arrangement(Settings& settings, const std::string& standard) {
-  settings.declare({.name = "scene.lattice",
-                    .value = standard,
-                    .doc = "how the particles are laid out; random: each for itself",
-                    .choices = {"cubic", "glass", "random"}});
+  declare_choice(settings, "scene.lattice", standard, "how the particles are laid out; random: each for itself",
+                 {"cubic", "glass", "random"});
 }
 
 void declare_dimension(Settings& settings, int standard, int min) {
-  settings.declare({.name = "scene.dimension",
-                    .value = std::int64_t{standard},
-                    .doc = "number of dimensions",
-                    .choices = {},
-                    .min = double(min),
-                    .max = 3});
+  declare_integer(settings, "scene.dimension", standard, "number of dimensions", {.min = double(min), .max = 3});
 }
 
 void declare_masses(Settings& settings, const std::string& standard) {
-  settings.declare({.name = "scene.masses",
-                    .value = standard,
-                    .doc = "equal: more particles in the dense gas; multi: even spacing, heavier particles there",
-                    .choices = {"equal", "multi"}});
+  declare_choice(settings, "scene.masses", standard,
+                 "equal: more particles in the dense gas; multi: even spacing, heavier particles there",
+                 {"equal", "multi"});
 }
 
 bool has_equal_masses(const Settings& settings) {

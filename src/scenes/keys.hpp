@@ -1,7 +1,9 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/engine/settings.hpp"
 
@@ -9,6 +11,16 @@ namespace sphk {
 
 /// Changes the default of an engine key, where there is such a key and neither a file nor the command line set it.
 void prefer_unless_set(Settings& settings, std::string_view name, const Value& value);
+
+/// Limits of a key's value.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+};
+/// A key of that type, with its default.
+void declare_integer(Settings& settings, std::string name, std::int64_t standard, std::string doc, Range range = {});
+void declare_real(Settings& settings, std::string name, double standard, std::string doc, Range range = {});
+void declare_choice(Settings& settings, std::string name, std::string standard, std::string doc,
+                    std::vector<std::string> choices);
 
 /// scene.n: particles per unit length of the (denser) gas.
 void declare_resolution(Settings& settings, int n, std::string doc = "particles per unit length");

@@ -33,6 +33,7 @@ class McNally final : public ShearLayers {
       references.push_back({"M", t, M, M});
     return references;
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "96"}}}; }
 
  protected:
   Defaults defaults() const override { return {.n = 128, .dimension = 2, .end = 2, .snapshots = 20}; }

@@ -36,11 +36,12 @@ double scatter(const Snapshot& snapshot, double R) {
     double mean() const { return sum / particles; }
   };
   std::array<std::array<Bin, bins>, 2> sides{};  // x < 0, x > 0 in 1D; else all gas in the first
-  const auto &x = snapshot.field("Coordinates").values, &rho = snapshot.field("Densities").values;
+  const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+  const auto& rho = snapshot.field("Densities").values;
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
-    const double place = (radius({x[3 * i], x[3 * i + 1], x[3 * i + 2]}) / R - 0.3) / 0.6 * bins;
+    const double place = (radius(x[i]) / R - 0.3) / 0.6 * bins;
     if (!(place >= 0 && place < bins)) continue;
-    Bin& bin = sides[snapshot.dimension == 1 && x[3 * i] > 0][static_cast<std::size_t>(place)];
+    Bin& bin = sides[snapshot.dimension == 1 && x[i][0] > 0][static_cast<std::size_t>(place)];
     ++bin.particles;
     bin.sum += rho[i];
     bin.squares += rho[i] * rho[i];
@@ -62,8 +63,9 @@ double scatter(const Snapshot& snapshot, double R) {
 /// Mean u within a tenth of the shock's radius R, or of the innermost particles where none lies there, over the exact
 /// 1/2, less 1.
 double wall_heating(const Snapshot& snapshot, double R) {
-  const auto &x = snapshot.field("Coordinates").values, &u = snapshot.field("InternalEnergies").values;
-  const auto distance = [&](std::size_t i) { return radius({x[3 * i], x[3 * i + 1], x[3 * i + 2]}); };
+  const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+  const auto& u = snapshot.field("InternalEnergies").values;
+  const auto distance = [&](std::size_t i) { return radius(x[i]); };
   double innermost = std::numeric_limits<double>::infinity(), sum = 0, count = 0;
   for (std::size_t i = 0; i < u.size(); ++i) innermost = std::min(innermost, distance(i));
   for (std::size_t i = 0; i < u.size(); ++i)
@@ -104,11 +106,7 @@ class Noh : public Scene {
     declare_resolution(settings, 50, "particles per unit length; the gas fills the unit ball, 2n across");
     declare_dimension(settings, 3);
     declare_arrangement(settings, "cubic");
-    settings.declare({.name = "scene.cold_pressure",
-                      .value = 1e-6,
-                      .doc = "pressure of the cold gas at the start",
-                      .choices = {},
-                      .min = 1e-300});
+    declare_real(settings, "scene.cold_pressure", 1e-6, "pressure of the cold gas at the start", {.min = 1e-300});
     prefer_usual_gas(settings, 0.6);
     adapt(settings);
   }
@@ -116,17 +114,16 @@ class Noh : public Scene {
 
   ParticleSet build(const Settings& settings) const override {
     const int D = scene_dimension(settings), n = scene_n(settings);
-    Block block{.dimension = D, .counts = even_counts(D, 2 * n)};
+    const Block block = centred_cube(D, 2 * n, 1);
     ParticleSet gas;
     gas.dimension = D;
-    for (int axis = 0; axis < D; ++axis) block.lower[axis] = -1, block.size[axis] = 2;
     gas.box = {block.lower, block.size, {}};
     for (const Array3& x : arranged_points(block, settings.text("scene.lattice")))
       if (radius(x) < 1) gas.x.push_back(x);
     const double P = settings.real("scene.cold_pressure"), gamma = settings.real("sph.gamma");
     for (const Array3& x : gas.x) gas.v.push_back(noh(x, 0, D, gamma, P).v);
     gas.m.assign(gas.size(), std::pow(1.0 / n, D));
-    gas.u.assign(gas.size(), P / (gamma - 1));
+    gas.u.assign(gas.size(), GasState{.rho = 1, .P = P}.u(gamma));
     return gas;
   }
 
@@ -151,6 +148,7 @@ class Noh : public Scene {
     return found;
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.4}; }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "100"}, {"scene.dimension", "2"}}}; }
 };
 
 }  // namespace

@@ -10,10 +10,6 @@ namespace {
 using Triple = std::array<double, 3>;
 constexpr const char* names[] = {"v", "rho", "P"};
 
-double dot(const Array3& a, const Array3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /// Sums one error after the other into a norm.
 struct NormSum {
   ErrorNorm norm;
@@ -43,11 +39,11 @@ Triple compared(const GasState& state, const Array3& direction) {
   return {dot(state.v, direction), state.rho, state.P};
 }
 
-Array3 row(const Field& field, std::size_t i) {
-  return {field.values[3 * i], field.values[3 * i + 1], field.values[3 * i + 2]};
-}
-
 }  // namespace
+
+double dot(const Array3& a, const Array3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 double radius(const Array3& x) {
   return std::sqrt(dot(x, x));
@@ -76,15 +72,15 @@ ProfileLine along_R(double to) {
 
 std::map<std::string, ErrorNorm> profile_errors(const Snapshot& snapshot, const ProfileLine& line,
                                                 const std::function<GasState(const Array3&, double)>& exact) {
-  const Field &positions = snapshot.field("Coordinates"), &velocities = snapshot.field("Velocities");
-  const Field &densities = snapshot.field("Densities"), &pressures = snapshot.field("Pressures");
+  const std::vector<Array3> places = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+  const auto &rho = snapshot.field("Densities").values, &P = snapshot.field("Pressures").values;
   std::vector<Bin> bins(static_cast<std::size_t>(std::max(std::lround((line.to - line.from) / line.width), 0L)));
   std::array<NormSum, 3> binned, single;
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
-    const Array3 x = row(positions, i), direction = line.direction(x);
+    const Array3 &x = places[i], direction = line.direction(x);
     const double place = (line.coordinate(x) - line.from) / line.width;
     if (!(place >= 0 && place < double(bins.size()))) continue;
-    const Triple value = compared({densities.values[i], row(velocities, i), pressures.values[i]}, direction);
+    const Triple value = compared({rho[i], v[i], P[i]}, direction);
     const Triple wanted = compared(exact(x, snapshot.time), direction);
     Bin& bin = bins[static_cast<std::size_t>(place)];
     ++bin.particles;

@@ -19,6 +19,7 @@ struct ProfileLine {
   double width = 0.01;      ///< of a bin
 };
 
+double dot(const Array3& a, const Array3& b);
 /// Distance from the origin.
 double radius(const Array3& x);
 

@@ -31,12 +31,10 @@ class Odd final : public Scene {
   std::string summary() const override { return "odd arrangements: coincident, collapsed, alone, far apart, ejected"; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.problem",
-                      .value = std::string("pair"),
-                      .doc =
-                          "pair or ten (at one place), plane (a box collapsed onto it), one (particle), two (1e6 boxes "
-                          "apart), ejected (one leaves at 1e3 times c), line (all on it)",
-                      .choices = {"pair", "ten", "plane", "one", "two", "ejected", "line"}});
+    declare_choice(settings, "scene.problem", "pair",
+                   "pair or ten (at one place), plane (a box collapsed onto it), one (particle), two (1e6 boxes "
+                   "apart), ejected (one leaves at 1e3 times c), line (all on it)",
+                   {"pair", "ten", "plane", "one", "two", "ejected", "line"});
     declare_resolution(settings, 8, "particles along the unit box");
     adapt(settings);
   }
@@ -54,12 +52,13 @@ class Odd final : public Scene {
     if (problem == "pair" || problem == "ten" || problem == "plane") gas.box.periodic = {true, true, true};
     gas.v.assign(gas.size(), {});
     gas.m.assign(gas.size(), 1 / static_cast<double>(gas.size()));
-    gas.u.assign(gas.size(), pressure / (gamma - 1));
+    gas.u.assign(gas.size(), GasState{.rho = 1, .P = pressure}.u(gamma));
     if (problem == "ejected") gas.v.back()[0] = escape_speed * std::sqrt(gamma * pressure);
     return gas;
   }
 
   PlotHint plot_hint(const Settings&) const override { return {.map = true}; }
+  GalleryTile gallery() const override { return {.keys = {{"scene.problem", "ten"}, {"scene.n", "16"}}}; }
 
  private:
   static std::vector<Array3> places(const std::string& problem, int n) {
@@ -72,7 +71,8 @@ class Odd final : public Scene {
       for (Array3& x : points) x[2] = 0.5;
     if (problem == "line") {
       points.resize(static_cast<std::size_t>(n) * n);
-      for (std::size_t i = 0; i < points.size(); ++i) points[i] = {(i + 0.5) / points.size(), 0.5, 0.5};
+      for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {(static_cast<double>(i) + 0.5) / static_cast<double>(points.size()), 0.5, 0.5};
     }
     return points;
   }

@@ -26,24 +26,12 @@ class PointExplosion final : public Explosion {
     prefer_unless_set(settings, "sph.scheme", "gadget2");
     prefer_unless_set(settings, "time.steps", "individual");
     Explosion::declare(settings);
-    settings.declare({.name = "scene.ambient",
-                      .value = 1e-6,
-                      .doc = "specific thermal energy u of the gas at rest",
-                      .choices = {},
-                      .min = 1e-300});
-    settings.declare(
-        {.name = "scene.hot",
-         .value = std::int64_t{1},
-         .doc = "particles around the centre that share the energy, in whole shells of a lattice: 1, 7, 15, 19, 27",
-         .choices = {},
-         .min = 1,
-         .max = 1e6});
-    settings.declare({.name = "scene.delay",
-                      .value = 0.0,
-                      .doc = "time at which the energy comes, into gas that has been at rest until then",
-                      .choices = {},
-                      .min = 0,
-                      .max = 1e300});
+    declare_real(settings, "scene.ambient", 1e-6, "specific thermal energy u of the gas at rest", {.min = 1e-300});
+    declare_integer(settings, "scene.hot", 1,
+                    "particles around the centre that share the energy, in whole shells of a lattice: 1, 7, 15, 19, 27",
+                    {.min = 1, .max = 1e6});
+    declare_real(settings, "scene.delay", 0.0,
+                 "time at which the energy comes, into gas that has been at rest until then", {.min = 0, .max = 1e300});
   }
   void adapt(Settings& settings) const override {
     Explosion::adapt(settings);
@@ -62,6 +50,7 @@ class PointExplosion final : public Explosion {
     for (const std::size_t i : hot) events.push_back({start(settings), gas.x[i], gas.m[i] * u});
     return events;
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "24"}}, .field = ""}; }
 
  protected:
   double start(const Settings& settings) const override { return settings.real("scene.delay"); }

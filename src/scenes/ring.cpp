@@ -52,12 +52,7 @@ class Ring final : public Scene {
 
   void declare(Settings& settings) const override {
     declare_resolution(settings, 64, "particles per unit length where the ring of radius 1 is densest");
-    settings.declare({.name = "scene.mach",
-                      .value = 100.0,
-                      .doc = "Mach number of the motion at radius 1",
-                      .choices = {},
-                      .min = 5,
-                      .max = 1e6});
+    declare_real(settings, "scene.mach", 100.0, "Mach number of the motion at radius 1", {.min = 5, .max = 1e6});
     prefer_unless_set(settings, "gravity.central_mass", 1.0);
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 10 * std::numbers::pi);  // five orbits at radius 1
@@ -120,6 +115,7 @@ class Ring final : public Scene {
   PlotHint plot_hint(const Settings&) const override {
     return {.abscissa = "R", .from = inner, .to = outer, .map = true};
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "32"}, {"time.end", "12.566"}}}; }
 
  private:
   /// Specific energy, the same everywhere, for the speed of sound that scene.mach gives at radius 1.

@@ -17,7 +17,12 @@ struct GasState {
   double rho = 0;
   Array3 v{};
   double P = 0;
+  /// Specific thermal energy of an ideal gas.
+  double u(double gamma) const { return P / ((gamma - 1) * rho); }
 };
+
+/// The rows of a field of vectors.
+std::vector<Array3> rows(const Field& field);
 
 /// One error norm: mean |error| (l1), root mean square (l2), largest (linf) and where the largest sits.
 struct ErrorNorm {
@@ -40,6 +45,14 @@ struct PlotHint {
   Array3 centre{};    ///< at t = 0
   Array3 velocity{};  ///< of the centre; the pictures' velocities are relative to it
   bool map = false;   ///< also a slice through the density; always drawn in 2D and around a centre
+};
+
+/// How `sphk gallery` shows a scene: by a run that takes a few seconds on a laptop.
+struct GalleryTile {
+  std::vector<std::pair<std::string, std::string>> keys{};  ///< what makes the run small
+  /// Drawn along the abscissa, beside the exact solution; "": a map of the density. By default rho, or a map where the
+  /// plot hint asks for one.
+  std::optional<std::string> field{};
 };
 
 /// A named test problem: defaults, initial condition, exact solution, what it measures.
@@ -70,7 +83,11 @@ class Scene {
   virtual std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot&) const { return {}; }
   /// What the measures should be; empty: unknown for these settings.
   virtual std::vector<Reference> references(const Settings&) const { return {}; }
+  /// The keys, as for --set, with which there are some where there are none without; empty: none help.
+  virtual std::string keys_with_references() const { return ""; }
   virtual PlotHint plot_hint(const Settings&) const { return {}; }
+  /// By default a run of the scene as it is.
+  virtual GalleryTile gallery() const { return {}; }
 };
 
 /// Every scene, in the order of `sphk list`.

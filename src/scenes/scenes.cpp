@@ -8,13 +8,16 @@
 
 namespace sphk {
 
+std::vector<Array3> rows(const Field& field) {
+  std::vector<Array3> rows(field.values.size() / 3);
+  for (std::size_t k = 0; k < field.values.size(); ++k) rows[k / 3][k % 3] = field.values[k];
+  return rows;
+}
+
 const std::vector<const Scene*>& scenes() {
-  static const std::vector<const Scene*> table{&sod_scene(),    &sod_multimass_scene(), &tube_scene(),
-                                               &gresho_scene(), &sedov_scene(),         &point_explosion_scene(),
-                                               &noh_scene(),    &expansion_scene(),     &kh12_scene(),
-                                               &kh18_scene(),   &mcnally_scene(),       &shearing_scene(),
-                                               &blob_scene(),   &ring_scene(),          &square_scene(),
-                                               &odd_scene(),    &uniform_scene()};
+#define SPHK_ADDRESS_OF_SCENE(name) &name##_scene(),
+  static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};
+#undef SPHK_ADDRESS_OF_SCENE
   return table;
 }
 

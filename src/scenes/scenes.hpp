@@ -2,24 +2,30 @@
 
 #include "src/scenes/scene.hpp"
 
+/// Every scene, in the order of `sphk list`. NAME_scene() is defined in the scene's own file.
+#define SPHK_SCENES(SCENE) \
+  SCENE(sod)               \
+  SCENE(sod_multimass)     \
+  SCENE(tube)              \
+  SCENE(gresho)            \
+  SCENE(sedov)             \
+  SCENE(point_explosion)   \
+  SCENE(noh)               \
+  SCENE(expansion)         \
+  SCENE(kh12)              \
+  SCENE(kh18)              \
+  SCENE(mcnally)           \
+  SCENE(shearing)          \
+  SCENE(blob)              \
+  SCENE(ring)              \
+  SCENE(square)            \
+  SCENE(odd)               \
+  SCENE(uniform)
+
 namespace sphk {
 
-const Scene& sod_scene();
-const Scene& sod_multimass_scene();
-const Scene& tube_scene();
-const Scene& gresho_scene();
-const Scene& sedov_scene();
-const Scene& point_explosion_scene();
-const Scene& noh_scene();
-const Scene& expansion_scene();
-const Scene& kh12_scene();
-const Scene& kh18_scene();
-const Scene& mcnally_scene();
-const Scene& shearing_scene();
-const Scene& blob_scene();
-const Scene& ring_scene();
-const Scene& square_scene();
-const Scene& odd_scene();
-const Scene& uniform_scene();
+#define SPHK_DECLARE_SCENE(name) const Scene& name##_scene();
+SPHK_SCENES(SPHK_DECLARE_SCENE)
+#undef SPHK_DECLARE_SCENE
 
 }  // namespace sphk

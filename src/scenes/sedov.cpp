@@ -17,17 +17,15 @@ class Sedov final : public Explosion {
 
   void declare(Settings& settings) const override {
     Explosion::declare(settings);
-    settings.declare({.name = "scene.blast_radius",
-                      .value = 0.08,
-                      .doc = "the energy is shared by the particles inside (S12 sec 7.4)",
-                      .choices = {},
-                      .min = 0,
-                      .max = 0.5});
-    settings.declare({.name = "scene.ambient_entropy",
-                      .value = 0.05,
-                      .doc = "A = P / rho^gamma of the gas at rest",
-                      .choices = {},
-                      .min = 1e-300});
+    declare_real(settings, "scene.blast_radius", 0.08, "the energy is shared by the particles inside (S12 sec 7.4)",
+                 {.min = 0, .max = 0.5});
+    declare_real(settings, "scene.ambient_entropy", 0.05, "A = P / rho^gamma of the gas at rest", {.min = 1e-300});
+  }
+  GalleryTile gallery() const override {
+    return {.keys = {{"scene.n", "48"},
+                     {"sph.scheme", "sphs-conservative"},
+                     {"sph.kernel", "hoct4"},
+                     {"sph.neighbours", "442"}}};
   }
 
  protected:

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/geometry.hpp"
 
 namespace sphk {
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
 constexpr double log_step = 2.5e-4;
 constexpr int steps = 32000;  // down to lambda = exp(-8) = 3.4e-4
 }  // namespace
@@ -19,10 +19,10 @@ SedovSolution::SedovSolution(int dimension, double gamma) : dimension_(dimension
   if (!(gamma > 1 && gamma < 7))
     throw InputError(fmt::format("the Sedov solution is known for gamma between 1 and 7, not for {}", gamma));
   integrate();
-  const double sphere = dimension == 1 ? 2 : dimension == 2 ? 2 * pi : 4 * pi;
   const double delta = 2.0 / (dimension + 2);  // R ~ t^delta
   const double innermost = std::exp(-steps * log_step), rest = std::pow(innermost, dimension) / dimension;
-  alpha_ = sphere * delta * delta * (table_.back().energy + table_.back().Pi / (gamma - 1) * rest);
+  alpha_ = dimension * unit_sphere_volume(dimension) * delta * delta *
+           (table_.back().energy + table_.back().Pi / (gamma - 1) * rest);
 }
 
 /// d/d(ln lambda) of the profiles. From the equations of continuity, motion and entropy with the form above, where R

@@ -36,16 +36,11 @@ void ShearLayers::declare(Settings& settings) const {
   const Defaults standard = defaults();
   declare_resolution(settings, standard.n, "particles of the light gas along the unit box");
   declare_dimension(settings, standard.dimension, 2);
-  settings.declare({.name = "scene.layers",
-                    .value = std::int64_t{8},
-                    .doc = "layers of the light gas across the slab, 3D only (R10 has 8 at n = 256)",
-                    .choices = {},
-                    .min = 1,
-                    .max = 100000});
+  declare_integer(settings, "scene.layers", 8,
+                  "layers of the light gas across the slab, 3D only (R10 has 8 at n = 256)", {.min = 1, .max = 100000});
   declare_masses(settings, "equal");
   declare_temperatures(settings);
-  settings.declare(
-      {.name = "scene.boost", .value = 0.0, .doc = "speed along x that is added to all gas", .choices = {}});
+  declare_real(settings, "scene.boost", 0.0, "speed along x that is added to all gas");
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
   prefer_unless_set(settings, "sph.scheme", "sphs");
   prefer_usual_gas(settings, standard.end);
@@ -67,10 +62,9 @@ ParticleSet ShearLayers::build(const Settings& settings) const {
     place_equal_masses(gas, flow, settings);
   else
     place_even(gas, even, flow, settings);
-  const double gamma = settings.real("sph.gamma");
   set_velocities(gas, settings);
   for (const auto& [x, y, z] : gas.x) {
-    gas.u.push_back(flow.pressure / ((gamma - 1) * flow.rho(y)));
+    gas.u.push_back(GasState{.rho = flow.rho(y), .P = flow.pressure}.u(settings.real("sph.gamma")));
     gas.tag.push_back(y >= flow.interfaces[0] && y < flow.interfaces[1] ? dense_gas : light_gas);
   }
   smooth_temperatures(gas, flow.pressure, settings);

@@ -38,6 +38,7 @@ class Shearing final : public ShearLayers {
   std::string summary() const override { return "shearing layers of density 1:10 at Mach 0.2 to 1 (V10 sec 4)"; }
   void declare(Settings& settings) const override;
   void adapt(Settings& settings) const override;
+  GalleryTile gallery() const override;
 
  protected:
   Defaults defaults() const override { return {.n = usual_n, .dimension = 2, .end = 2, .snapshots = 16}; }
@@ -48,32 +49,18 @@ class Shearing final : public ShearLayers {
 void Shearing::declare(Settings& settings) const {
   std::vector<std::string> names;
   for (const Series& s : series) names.emplace_back(s.name);
-  settings.declare({.name = "scene.series",
-                    .value = std::string("LIQ"),
-                    .doc = "V10's series: kernel, smoothing and conductivity, for those that are not set",
-                    .choices = names});
-  settings.declare({.name = "scene.mach",
-                    .value = 0.6,
-                    .doc = "speed of each gas over the speed of sound of the dense one",
-                    .choices = {},
-                    .min = 0,
-                    .max = 100});
-  settings.declare({.name = "scene.seed",
-                    .value = 0.025,
-                    .doc = "amplitude of the disturbance v_y = A sin(2 pi x/lambda) (V10 eq 15)",
-                    .choices = {},
-                    .min = -1e6,
-                    .max = 1e6});
-  settings.declare({.name = "scene.seed_reach",
-                    .value = 0.0,
-                    .doc = "how far from an interface it reaches; 0: everywhere, as V10 print it (Price 2008: 0.025)",
-                    .choices = {},
-                    .min = 0,
-                    .max = 1e6});
-  settings.declare({.name = "scene.smoothing",
-                    .value = std::string("columns"),
-                    .doc = "of the density: none, along columns, or by rows between square grids (V10 sec 4.3)",
-                    .choices = {"none", "columns", "rows"}});
+  declare_choice(settings, "scene.series", "LIQ",
+                 "V10's series: kernel, smoothing and conductivity, for those that are not set", names);
+  declare_real(settings, "scene.mach", 0.6, "speed of each gas over the speed of sound of the dense one",
+               {.min = 0, .max = 100});
+  declare_real(settings, "scene.seed", 0.025, "amplitude of the disturbance v_y = A sin(2 pi x/lambda) (V10 eq 15)",
+               {.min = -1e6, .max = 1e6});
+  declare_real(settings, "scene.seed_reach", 0.0,
+               "how far from an interface it reaches; 0: everywhere, as V10 print it (Price 2008: 0.025)",
+               {.min = 0, .max = 1e6});
+  declare_choice(settings, "scene.smoothing", "columns",
+                 "of the density: none, along columns, or by rows between square grids (V10 sec 4.3)",
+                 {"none", "columns", "rows"});
   ShearLayers::declare(settings);
 }
 
@@ -82,10 +69,10 @@ void Shearing::adapt(Settings& settings) const {
   prefer_unless_set(settings, "scene.dimension", std::int64_t{2});
   prefer_unless_set(settings, "scene.n", std::int64_t{s.n});
   prefer_unless_set(settings, "scene.smoothing", std::string(s.smoothing));
-  prefer_unless_set(settings, "sph.scheme", std::string("v10"));
+  prefer_unless_set(settings, "sph.scheme", "v10");
   prefer_unless_set(settings, "conductivity.alpha", s.conductivity);
   if (!settings.has("sph.scheme")) return;  // smoothed temperatures need a scheme
-  prefer_unless_set(settings, "scene.temperatures", std::string("smoothed"));
+  prefer_unless_set(settings, "scene.temperatures", "smoothed");
   if (!settings.text("sph.scheme").starts_with("sphs")) {
     prefer_unless_set(settings, "sph.kernel", std::string(s.kernel));
     prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
@@ -93,6 +80,15 @@ void Shearing::adapt(Settings& settings) const {
     prefer_usual_kernel(settings, 2);
   }
   prefer_conserved_energy(settings);
+}
+
+GalleryTile Shearing::gallery() const {
+  return {.keys = {{"scene.n", "64"},
+                   {"scene.mach", "0.2"},
+                   {"sph.scheme", "sphs"},
+                   {"sph.kernel", "wc6"},
+                   {"sph.neighbours", "100"},
+                   {"time.end", "1.684"}}};
 }
 
 LayeredFlow Shearing::flow(const Settings& settings) const {

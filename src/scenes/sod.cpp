@@ -56,11 +56,10 @@ Tube tube_of(const Settings& settings) {
 
 void add_block(ParticleSet& gas, const Block& block, const TubeState& state, const Settings& settings) {
   const auto points = arranged_points(block, settings.text("scene.lattice"));
-  const double volume = block.size[0] * block.size[1] * block.size[2];
   gas.x.insert(gas.x.end(), points.begin(), points.end());
   gas.v.resize(gas.x.size(), {state.v, 0, 0});
-  gas.m.resize(gas.x.size(), state.rho * volume / double(points.size()));
-  gas.u.resize(gas.x.size(), state.P / ((settings.real("sph.gamma") - 1) * state.rho));
+  gas.m.resize(gas.x.size(), state.rho * block.volume() / double(points.size()));
+  gas.u.resize(gas.x.size(), GasState{.rho = state.rho, .P = state.P}.u(settings.real("sph.gamma")));
 }
 
 /// S12 sec 7.2: the test starts with a shock, so alpha = 1 around the jump, and around its mirror image at the ends.
@@ -72,9 +71,9 @@ void switch_on_at_the_jumps(ParticleSet& gas) {
 void prefer_as_v10(Settings& settings) {
   prefer_unless_set(settings, "scene.n", std::int64_t{528});
   prefer_unless_set(settings, "scene.across", std::int64_t{52});
-  prefer_unless_set(settings, "scene.lattice", std::string("cubic"));
-  prefer_unless_set(settings, "sph.scheme", std::string("v10"));
-  prefer_unless_set(settings, "sph.kernel", std::string("liq"));
+  prefer_unless_set(settings, "scene.lattice", "cubic");
+  prefer_unless_set(settings, "sph.scheme", "v10");
+  prefer_unless_set(settings, "sph.kernel", "liq");
 }
 
 class Sod : public Scene {
@@ -86,17 +85,10 @@ class Sod : public Scene {
   std::string summary() const override { return summary_; }
 
   void declare(Settings& settings) const override {
-    settings.declare({.name = "scene.variant",
-                      .value = std::string("s12"),
-                      .doc = "states: s12 (gamma 5/3), r10 (gamma 1.4), v10 (2D, density ratio 4)",
-                      .choices = {"s12", "r10", "v10"}});
+    declare_choice(settings, "scene.variant", "s12",
+                   "states: s12 (gamma 5/3), r10 (gamma 1.4), v10 (2D, density ratio 4)", {"s12", "r10", "v10"});
     declare_resolution(settings, 64, "dense particles per unit length (S12's N1D is 3/4 of it)");
-    settings.declare({.name = "scene.across",
-                      .value = std::int64_t{32},
-                      .doc = "dense particles across the tube",
-                      .choices = {},
-                      .min = 2,
-                      .max = 10000});
+    declare_integer(settings, "scene.across", 32, "dense particles across the tube", {.min = 2, .max = 10000});
     declare_dimension(settings, 3);
     declare_arrangement(settings, "glass");
     declare_masses(settings, masses_);
@@ -145,6 +137,10 @@ class Sod : public Scene {
     return profile_errors(snapshot, along_x(-0.5, 0.5), exact(settings));
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = -0.5, .to = 0.5}; }
+  GalleryTile gallery() const override {
+    if (masses_ == "equal") return {};
+    return {.keys = {{"scene.n", "32"}, {"scene.across", "16"}}};
+  }
 
  private:
   std::string name_, summary_, masses_;

@@ -30,29 +30,18 @@ class Square final : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 32, "particles of the thin gas along the unit box; a multiple of 4");
     declare_dimension(settings, 2, 2);
-    settings.declare({.name = "scene.ratio",
-                      .value = 4.0,
-                      .doc = "density of the dense gas over that of the thin",
-                      .choices = {},
-                      .min = 1,
-                      .max = 1e9});
+    declare_real(settings, "scene.ratio", 4.0, "density of the dense gas over that of the thin",
+                 {.min = 1, .max = 1e9});
     declare_masses(settings, "multi");
-    settings.declare({.name = "scene.finer",
-                      .value = std::int64_t{1},
-                      .doc = "spacing of the thin gas over that of the dense, with scene.masses = multi",
-                      .choices = {},
-                      .min = 1,
-                      .max = 100});
-    settings.declare({.name = "scene.shape",
-                      .value = std::string("square"),
-                      .doc = "of the dense gas: square (in 3D a cube) | layer: 0.25 < y < 0.75",
-                      .choices = {"square", "layer"}});
-    settings.declare({.name = "scene.shear",
-                      .value = 0.0,
-                      .doc = "speed of a dense layer along x relative to the thin gas, half each way",
-                      .choices = {}});
+    declare_integer(settings, "scene.finer", 1,
+                    "spacing of the thin gas over that of the dense, with scene.masses = multi",
+                    {.min = 1, .max = 100});
+    declare_choice(settings, "scene.shape", "square",
+                   "of the dense gas: square (in 3D a cube) | layer: 0.25 < y < 0.75", {"square", "layer"});
+    declare_real(settings, "scene.shear", 0.0,
+                 "speed of a dense layer along x relative to the thin gas, half each way");
     declare_temperatures(settings);
-    settings.declare({.name = "scene.boost", .value = 0.0, .doc = "speed of all gas along x and y", .choices = {}});
+    declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 1);
     adapt(settings);
@@ -80,7 +69,7 @@ class Square final : public Scene {
       gas.x.push_back(x);
       gas.v.push_back(problem.velocity(tag));
       gas.m.push_back(rho * volume);
-      gas.u.push_back(pressure / ((settings.real("sph.gamma") - 1) * rho));
+      gas.u.push_back(GasState{.rho = rho, .P = pressure}.u(settings.real("sph.gamma")));
       gas.tag.push_back(tag);
     };
     for (const Array3& x : lattice_points(thin))
@@ -103,18 +92,18 @@ class Square final : public Scene {
   std::vector<std::pair<std::string, double>> measures(const Settings& settings,
                                                        const Snapshot& snapshot) const override {
     const Problem problem(settings);
-    const auto &P = snapshot.field("Pressures").values, &v = snapshot.field("Velocities").values;
-    const auto &tag = snapshot.field("PhaseTags").values, &x = snapshot.field("Coordinates").values;
+    const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+    const auto &P = snapshot.field("Pressures").values, &tag = snapshot.field("PhaseTags").values;
     const auto& m = snapshot.field("Masses").values;
     double blip = 0, speed = 0, mass = 0;
     Array3 moment{};
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
       const Array3 start = problem.velocity(static_cast<int>(tag[i]));
       blip = std::max(blip, std::abs(P[i] / pressure - 1));
-      speed = std::max(speed, std::hypot(v[3 * i] - start[0], v[3 * i + 1] - start[1], v[3 * i + 2] - start[2]));
+      speed = std::max(speed, std::hypot(v[i][0] - start[0], v[i][1] - start[1], v[i][2] - start[2]));
       if (tag[i] != dense_gas) continue;
       mass += m[i];
-      const Array3 place = problem.unmoved({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, snapshot.time);
+      const Array3 place = problem.unmoved(x[i], snapshot.time);
       for (int axis = 0; axis < problem.dimension; ++axis)
         if (problem.bounded(axis)) moment[axis] += m[i] * (place[axis] - 0.5);
     }
@@ -133,6 +122,7 @@ class Square final : public Scene {
             .centre = problem.unmoved({0.5, 0.5, 0.5}, -settings.real("time.end")),
             .map = true};
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "32"}}}; }
 
  private:
   struct Problem {

@@ -1,15 +1,14 @@
 #include "src/scenes/temperatures.hpp"
 
+#include "src/scenes/keys.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
 
 void declare_temperatures(Settings& settings) {
-  settings.declare(
-      {.name = "scene.temperatures",
-       .value = std::string("exact"),
-       .doc = "exact: u of the true density; smoothed: of the measured one, which evens out P at the edges",
-       .choices = {"exact", "smoothed"}});
+  declare_choice(settings, "scene.temperatures", "exact",
+                 "exact: u of the true density; smoothed: of the measured one, which evens out P at the edges",
+                 {"exact", "smoothed"});
 }
 
 void set_pressure(ParticleSet& gas, double P, const Settings& settings) {

@@ -87,22 +87,11 @@ class Tube final : public Scene {
   void declare(Settings& settings) const override {
     std::vector<std::string> names;
     for (const TubeProblem& problem : problems) names.emplace_back(problem.name);
-    settings.declare(
-        {.name = "scene.problem", .value = std::string("blast"), .doc = list_of_problems(), .choices = names});
+    declare_choice(settings, "scene.problem", "blast", list_of_problems(), names);
     declare_resolution(settings, 400, "particles per unit length");
     declare_dimension(settings, 1);
-    settings.declare({.name = "scene.across",
-                      .value = std::int64_t{8},
-                      .doc = "particles across the tube, in 2D and 3D",
-                      .choices = {},
-                      .min = 1,
-                      .max = 10000});
-    settings.declare({.name = "scene.mach",
-                      .value = 1e3,
-                      .doc = "Mach number of each of the streams",
-                      .choices = {},
-                      .min = 1.01,
-                      .max = 1e8});
+    declare_integer(settings, "scene.across", 8, "particles across the tube, in 2D and 3D", {.min = 1, .max = 10000});
+    declare_real(settings, "scene.mach", 1e3, "Mach number of each of the streams", {.min = 1.01, .max = 1e8});
     adapt(settings);
   }
   void adapt(Settings& settings) const override {
@@ -126,7 +115,7 @@ class Tube final : public Scene {
     gas.dimension = D;
     gas.box = {block.lower, block.size, {problem.walls, D > 1, D > 2}};
     if (problem.walls) gas.box.lower[0] -= length, gas.box.size[0] *= 2;
-    const double volume = block.size[0] * block.size[1] * block.size[2] / double(block.particles());
+    const double volume = block.volume() / double(block.particles());
     for (Array3 x : lattice_points(block))
       for (const bool mirrored : {false, true}) {
         if (mirrored && !problem.walls) continue;
@@ -135,7 +124,7 @@ class Tube final : public Scene {
         if (mirrored) gas.x.back()[0] = 2 * problem.lower - x[0];
         gas.v.push_back({mirrored ? -state.v : state.v, 0, 0});
         gas.m.push_back(state.rho * volume);
-        gas.u.push_back(state.P / ((problem.gamma - 1) * state.rho));
+        gas.u.push_back(GasState{.rho = state.rho, .P = state.P}.u(problem.gamma));
       }
     return gas;
   }
@@ -164,6 +153,7 @@ class Tube final : public Scene {
     const double margin = problem.walls ? 0 : 0.3 * (problem.upper - problem.lower);
     return {.abscissa = "x", .from = problem.lower + margin, .to = problem.upper - margin};
   }
+  GalleryTile gallery() const override { return {.field = "v"}; }
 
  private:
   static TubeState start(const TubeProblem& problem, double x) {

@@ -32,24 +32,12 @@ class UniformGas : public Scene {
   void declare(Settings& settings) const override {
     declare_resolution(settings, 32, "particles along the unit box");
     declare_dimension(settings, 3);
-    settings.declare({.name = "scene.layers",
-                      .value = std::int64_t{0},
-                      .doc = "particles along the last axis, for thin slabs; 0: n",
-                      .choices = {},
-                      .min = 0,
-                      .max = 100000});
+    declare_integer(settings, "scene.layers", 0, "particles along the last axis, for thin slabs; 0: n",
+                    {.min = 0, .max = 100000});
     declare_arrangement(settings, "glass");
-    settings.declare({.name = "scene.jitter",
-                      .value = 0.0,
-                      .doc = "random shift of every particle, up to this many spacings along each axis",
-                      .choices = {},
-                      .min = 0,
-                      .max = 10});
-    settings.declare({.name = "scene.seed",
-                      .value = std::int64_t{1},
-                      .doc = "of the random places and shifts",
-                      .choices = {},
-                      .min = 0});
+    declare_real(settings, "scene.jitter", 0.0,
+                 "random shift of every particle, up to this many spacings along each axis", {.min = 0, .max = 10});
+    declare_integer(settings, "scene.seed", 1, "of the random places and shifts", {.min = 0});
     prefer_usual_gas(settings, 0.1);
     adapt(settings);
   }
@@ -63,8 +51,8 @@ class UniformGas : public Scene {
     gas.box = {block.lower, block.size, {true, block.dimension > 1, block.dimension > 2}};
     gas.x = arranged_points(block, settings.text("scene.lattice"), settings.integer("scene.seed"));
     gas.v.assign(gas.size(), {});
-    gas.m.assign(gas.size(), block.size[0] * block.size[1] * block.size[2] / double(gas.size()));
-    gas.u.assign(gas.size(), 1 / (settings.real("sph.gamma") - 1));
+    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
+    gas.u.assign(gas.size(), GasState{.rho = 1, .P = 1}.u(settings.real("sph.gamma")));
     shake(gas, settings.real("scene.jitter") / scene_n(settings), Uniform(settings.integer("scene.seed")));
     return gas;
   }
@@ -78,21 +66,22 @@ class UniformGas : public Scene {
   /// density_scatter: standard deviation of the particles' densities over their mean. nearest: distance to the nearest
   /// neighbour that 5 % of the particles fall short of, over the mean spacing.
   std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
-    const std::vector<double>&rho = snapshot.field("Densities").values, &x = snapshot.field("Coordinates").values;
+    const std::vector<double>& rho = snapshot.field("Densities").values;
+    const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
     const auto count = static_cast<double>(snapshot.size());
     const double mean = std::accumulate(rho.begin(), rho.end(), 0.0) / count;
     double variance = 0;
     for (const double one : rho) variance += (one - mean) * (one - mean) / count;
     const NearestParticle nearest(snapshot);
     std::vector<double> distances(snapshot.size());
-    for (std::size_t i = 0; i < distances.size(); ++i)
-      distances[i] = nearest.distance({x[3 * i], x[3 * i + 1], x[3 * i + 2]}, i);
+    for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = nearest.distance(x[i], i);
     const auto fifth = distances.begin() + static_cast<std::ptrdiff_t>(snapshot.size() / 20);
     std::ranges::nth_element(distances, fifth);
     const Array3& size = snapshot.box.size;
     const double spacing = std::pow(size[0] * size[1] * size[2] / count, 1.0 / snapshot.dimension);
     return {{"density_scatter", std::sqrt(variance) / mean}, {"nearest", *fifth / spacing}};
   }
+  GalleryTile gallery() const override { return {.keys = {{"scene.n", "24"}}}; }
 
  private:
   static void shake(ParticleSet& gas, double largest, Uniform uniform) {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "kernels/passes/support_search.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "src/engine/errors.hpp"
+#include "src/engine/geometry.hpp"
 
 namespace sphk {
 
@@ -177,13 +177,11 @@ WaveModes slowest_waves(const Dispersion& dispersion, const Array3& direction, i
 }
 
 double lattice_support(double neighbours, int dimension) {
-  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return std::pow(neighbours / sphere, 1.0 / dimension);
+  return std::pow(neighbours / unit_sphere_volume(dimension), 1.0 / dimension);
 }
 
 double lattice_neighbours(double h, int dimension) {
-  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return sphere * std::pow(h, dimension);
+  return unit_sphere_volume(dimension) * std::pow(h, dimension);
 }
 
 }  // namespace sphk

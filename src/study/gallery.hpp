@@ -1,19 +1,21 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace sphk {
 
-/// A scene as the gallery shows it: small enough for a few seconds on a laptop.
-struct GalleryTile {
-  std::string scene;
-  std::vector<std::pair<std::string, std::string>> keys;
-  std::string field;  ///< drawn along the scene's abscissa, beside the exact solution; empty: a map of the density
+struct GalleryRequest {
+  std::optional<std::filesystem::path> out;  ///< nothing: "gallery"
+  std::vector<std::string> scenes;           ///< empty: all
+  int threads = 0;                           ///< of each run; 0: what OpenMP gives
 };
 
-/// One tile for every scene, in the order of `sphk list`.
-const std::vector<GalleryTile>& gallery_tiles();
+/// A small run of every scene, each a process of its own, and one page with them all: index.html and gallery.png in the
+/// folder. Tells on standard output how far it is. Returns whether every run came to its end; a signal stops it
+/// (stop_signal.hpp), without a page. Throws InputError.
+bool make_gallery(const GalleryRequest& request);
 
 }  // namespace sphk

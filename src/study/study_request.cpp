@@ -55,10 +55,10 @@ void check(StudyPlan& plan) {
       continue;
     }
     const std::vector<Reference> references = problem.scene->references(problem.settings);
-    if (references.empty())
-      throw InputError(fmt::format("{} has neither an exact solution nor values of converged runs{}", plan.scene,
-                                   plan.scene == "kh12" ? " with these keys; it has them with --set scene.edges=soft"
-                                                        : ", so there is no error to study"));
+    if (const std::string wanted = problem.scene->keys_with_references(); references.empty())
+      throw InputError(fmt::format(
+          "{} has neither an exact solution nor values of converged runs{}", plan.scene,
+          wanted.empty() ? ", so there is no error to study" : " with these keys; it has them with --set " + wanted));
     if (plan.norm.empty()) plan.norm = references[0].measure;
     if (std::ranges::find(references, plan.norm, &Reference::measure) == references.end())
       throw InputError(fmt::format("{} has no converged values of \"{}\"; take --norm {}", plan.scene, plan.norm,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
+#include "src/schemes/registry.hpp"
 #include "tests/scenes/engine_keys.hpp"
 
 namespace sphk {
@@ -61,6 +62,28 @@ TEST(SceneTable, InitialConditionsEqualTheExactSolution) {
           << scene->name() << ' ' << i;
       for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(gas.v[i][axis], state.v[axis], 1e-12) << scene->name();
     }
+  }
+}
+
+TEST(SceneTable, TilesOfTheGallerySetKeysThatARunHas) {
+  for (const Scene* scene : scenes()) {
+    Settings settings;
+    declare_engine_keys(settings);
+    settings.declare({.name = "time.end", .value = 1.0, .doc = "", .choices = {}});
+    scene->declare(settings);
+    for (const auto& [name, text] : scene->gallery().keys)
+      EXPECT_NO_THROW(settings.set_from_text(name, text, Origin::command_line)) << scene->name() << ' ' << name;
+  }
+}
+
+TEST(SceneTable, ReferencesComeWithTheKeysThatAreSaidToBringThem) {
+  for (const Scene* scene : scenes()) {
+    const std::string text = scene->keys_with_references();
+    if (text.empty()) continue;
+    const auto equals = text.find('=');
+    EXPECT_TRUE(scene->references(settings_of(*scene)).empty()) << scene->name();
+    EXPECT_FALSE(scene->references(settings_of(*scene, {{text.substr(0, equals), text.substr(equals + 1)}})).empty())
+        << scene->name();
   }
 }
 

@@ -7,7 +7,6 @@
 #include "src/engine/errors.hpp"
 #include "src/scenes/scene.hpp"
 #include "src/study/extremes.hpp"
-#include "src/study/gallery.hpp"
 #include "src/study/odd_cases.hpp"
 #include "src/study/others.hpp"
 #include "tests/temporary_folder.hpp"
@@ -116,13 +115,6 @@ TEST_F(StudyPlans, OfPresetsHaveUnlikePoints) {
     EXPECT_FALSE(preset.summary.empty()) << preset.name;
     if (!preset.others.empty()) EXPECT_FALSE(read_others(preset.others).empty()) << preset.name;
   }
-}
-
-TEST(Gallery, ShowsEveryScene) {
-  std::vector<std::string> shown, all;
-  for (const GalleryTile& tile : gallery_tiles()) shown.push_back(tile.scene);
-  for (const Scene* scene : scenes()) all.push_back(scene->name());
-  EXPECT_EQ(shown, all);
 }
 
 TEST(Extremes, AreOfScenesAndHaveBounds) {
