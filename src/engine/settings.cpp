@@ -77,6 +77,17 @@ bool parse(std::string_view text, T& out) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
+/// What the text of a value means where the key is wanted.
+Value parsed(const Key& key, std::string_view text) {
+  double real = 0;
+  std::int64_t integer = 0;
+  if (std::holds_alternative<std::string>(key.value)) return std::string(text);
+  if (text == "true" || text == "false") return text == "true";
+  if (parse(text, integer)) return integer;
+  if (parse(text, real)) return real;
+  throw InputError(fmt::format("{} = {}: {} is wanted here", key.name, text, type_name(key.value)));
+}
+
 }  // namespace
 
 std::string to_text(const Value& value) {
@@ -120,14 +131,11 @@ void Settings::set(std::string_view name, const Value& value, Origin origin) {
 }
 
 void Settings::set_from_text(std::string_view name, std::string_view text, Origin origin) {
-  const Key& key = find(name);
-  double real = 0;
-  std::int64_t integer = 0;
-  if (std::holds_alternative<std::string>(key.value)) return set(name, std::string(text), origin);
-  if (text == "true" || text == "false") return set(name, text == "true", origin);
-  if (parse(text, integer)) return set(name, integer, origin);
-  if (parse(text, real)) return set(name, real, origin);
-  throw InputError(fmt::format("{} = {}: {} is wanted here", name, text, type_name(key.value)));
+  set(name, parsed(find(name), text), origin);
+}
+
+void Settings::prefer_from_text(std::string_view name, std::string_view text) {
+  prefer(name, parsed(find(name), text));
 }
 
 bool Settings::has(std::string_view name) const {

@@ -34,6 +34,8 @@ class Settings {
   void declare(Key key);
   /// Changes the default of a declared key (a scene's own choice), and the value where no user has set it.
   void prefer(std::string_view name, Value value);
+  /// The same with a text that is parsed by the key's type.
+  void prefer_from_text(std::string_view name, std::string_view text);
   /// Gives a key that nobody has set another default.
   void set_standard(std::string_view name, Value value);
   /// Takes a scene's choice back, where no user has set the value.

@@ -10,6 +10,7 @@
 #include "src/io/checkpoint.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/report/machine.hpp"
+#include "src/run/problem.hpp"
 
 namespace sphk {
 
@@ -70,7 +71,7 @@ void require_same_run(const fs::path& path, const Scene& scene, const Settings& 
   require_same("the scene", file.group("sphk").text("Scene"), scene.name());
   const hdf5::Group saved = file.group("Parameters");
   for (const Key& key : settings.keys()) {
-    if (!key.name.starts_with("scene.") && !key.name.starts_with("sph.")) continue;
+    if (may_change(key.name)) continue;
     std::string name = key.name;
     std::ranges::replace(name, '.', ':');
     const auto* text = std::get_if<std::string>(&key.value);

@@ -52,7 +52,7 @@ class Checkpoints {
   double seconds_ = 0;
 };
 
-/// The newest checkpoint of a folder that is whole, and of a run of this scene with these keys of [scene] and [sph].
+/// The newest checkpoint of a folder that is whole, and of a run of this scene with these keys, but for those that may change.
 /// Throws InputError where there is none.
 SavedRun newest_checkpoint(const std::filesystem::path& folder, const Scene& scene, const Settings& settings);
 

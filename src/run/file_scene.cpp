@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/engine/errors.hpp"
 #include "src/io/check.hpp"
+#include "src/io/hdf5_file.hpp"
+#include "src/run/problem.hpp"
 
 namespace sphk {
 
@@ -34,6 +38,19 @@ void FileScene::declare(Settings& settings) const {
                     .choices = {"file", "yes", "no"}});
   if (content_.gamma) settings.prefer("sph.gamma", *content_.gamma);
   settings.prefer("time.end", content_.particles.time);
+  if (content_.own_snapshot) prefer_method_of_snapshot(settings);
+}
+
+void FileScene::prefer_method_of_snapshot(Settings& settings) const {
+  const hdf5::File file = hdf5::File::open(path_);
+  const hdf5::Group saved = file.group("Parameters");
+  const std::vector<Key> keys = settings.keys();
+  for (const Key& key : keys) {
+    std::string name = key.name;
+    std::ranges::replace(name, '.', ':');
+    const bool of_method = !may_change(key.name) && !key.name.starts_with("scene.") && !key.name.starts_with("ic.");
+    if (of_method && saved.has_attribute(name)) settings.prefer_from_text(key.name, saved.text(name));
+  }
 }
 
 ParticleSet FileScene::build(const Settings& settings) const {

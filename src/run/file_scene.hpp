@@ -25,12 +25,16 @@ class FileScene : public Scene {
   /// Declares scene.file and scene.periodic. The end time has no useful default, so time.end is the file's own time.
   void declare(Settings& settings) const override;
   /// Throws InputError listing what check_particles calls an error.
+  int dimension(const Settings&) const override { return content_.particles.dimension; }
   ParticleSet build(const Settings& settings) const override;
   PlotHint plot_hint(const Settings& settings) const override;
   /// What the reader assumed, made or left out, and what check_particles noticed.
   const std::vector<std::string>& remarks() const { return content_.remarks; }
 
  private:
+  /// A snapshot of sphk goes on with the method that wrote it, unless the user asks for another.
+  void prefer_method_of_snapshot(Settings& settings) const;
+
   std::filesystem::path path_;
   ReadResult content_;
   std::vector<std::string> errors_;

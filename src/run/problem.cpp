@@ -119,6 +119,16 @@ void declare_run_keys(Settings& settings) {
                     .choices = {"none", "gzip"}});
 }
 
+bool may_change(const std::string& key) {
+  return key == "time.end" || key == "time.max_steps" || key.starts_with("output.");
+}
+
+void adapt(Problem& problem) {
+  problem.scene->adapt(problem.settings);
+  adopt_scheme(problem.settings, problem.scene->dimension(problem.settings), problem.scene->mixes());
+  problem.scene->adapt(problem.settings);
+}
+
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides) {
   Problem problem;
   std::vector<std::string> problems;
@@ -133,7 +143,7 @@ Problem resolve_problem(const std::string& what, const std::vector<Override>& ov
   }
   for (auto& message : apply_overrides(problem.settings, overrides)) problems.push_back(std::move(message));
   if (!problems.empty()) throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
-  problem.scene->adapt(problem.settings);
+  adapt(problem);
   return problem;
 }
 

@@ -24,6 +24,13 @@ struct Problem {
 /// Declares the keys of the sections [time] and [output] that the run loop reads.
 void declare_run_keys(Settings& settings);
 
+/// Whether a key may change when a run goes on: where it ends and what it leaves, not what it computes.
+bool may_change(const std::string& key);
+
+/// Scene, scheme, dimension and what the user has set, brought together: what is left open becomes the scene's choice,
+/// or the scheme's. Throws InputError for keys that the scheme does not have.
+void adapt(Problem& problem);
+
 /// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). Throws one InputError that
 /// lists every unknown key, wrong type and value out of range of the file and of the overrides.
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "kernels/terms/switched_pair.hpp"
+#include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "src/engine/errors.hpp"
 #include "src/run/run_output.hpp"
 #include "src/scenes/initial_condition.hpp"
@@ -32,22 +34,24 @@ Field in_input_order(const Field& field, const std::vector<std::size_t>& rank) {
 }
 
 /// What --alpha asks for, as keys of the run; `particles` keep the file's Alpha only where that is asked.
-std::vector<Override> dissipation(const std::string& alpha, const std::string& scheme, ParticleSet& particles) {
+std::vector<Override> dissipation(const std::string& alpha, const Settings& settings, ParticleSet& particles) {
   if (alpha != "file") particles.alpha.clear();
-  const bool switched = scheme.starts_with("sphs");
+  const bool switched = settings.has(switch_alpha.key);
   if (alpha == "file") {
     if (!switched)
-      throw InputError(fmt::format("--alpha file: the scheme {} has no switch; give a number, or use sphs", scheme));
+      throw InputError(fmt::format("--alpha file: the scheme {} has no switch; give a number, or use one that has",
+                                   settings.text("sph.scheme")));
     if (particles.alpha.empty())
       throw InputError("--alpha file: the file has no field Alpha; use --alpha auto, or give a number");
     return {};
   }
   if (alpha == "auto") {
     if (switched) return {};
-    return {{"viscosity.alpha", "0", "--alpha auto"}, {"viscosity.beta", "0", "--alpha auto"}};
+    std::vector<Override> none{{viscosity_alpha.key, "0", "--alpha auto"}};
+    if (settings.has(viscosity_beta.key)) none.push_back({viscosity_beta.key, "0", "--alpha auto"});
+    return none;
   }
-  if (switched) return {{"switch.alpha", alpha, "--alpha " + alpha}};
-  return {{"viscosity.alpha", alpha, "--alpha " + alpha}};
+  return {{switched ? switch_alpha.key : viscosity_alpha.key, alpha, "--alpha " + alpha}};
 }
 
 }  // namespace
@@ -58,13 +62,15 @@ RatesResult rates(const RatesRequest& request) {
   overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
   Problem problem = resolve_problem(request.file, overrides);
   ParticleSet particles = initial_condition(*problem.scene, problem.settings);
-  for (const Override& key : dissipation(request.alpha, problem.settings.text("sph.scheme"), particles))
+  for (const Override& key : dissipation(request.alpha, problem.settings, particles))
     problem.settings.set_from_text(key.name, key.text, Origin::command_line);
   if (particles.id.empty()) {
     particles.id.resize(particles.size());
     std::iota(particles.id.begin(), particles.id.end(), std::uint64_t{1});
   }
-  const auto simulation = make_simulation(particles, simulation_settings(problem.settings));
+  SimulationSettings settings = simulation_settings(problem.settings);
+  settings.all_terms = true;
+  const auto simulation = make_simulation(particles, settings);
   const auto rank = rank_by_id(particles.id);
   std::vector<Field> fields;
   for (const Field& field : simulation->rates(request.split)) fields.push_back(in_input_order(field, rank));

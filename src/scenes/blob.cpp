@@ -78,12 +78,8 @@ class Blob final : public Scene {
     prefer_unless_set(settings, "output.snapshots", std::int64_t{8});
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 2 * growth_time());
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_kernel(settings, 3);
-    prefer_conserved_energy(settings);
-  }
+  bool mixes() const override { return true; }
 
   ParticleSet build(const Settings& settings) const override {
     const int n = scene_n(settings);

@@ -49,7 +49,6 @@ class Expansion final : public Scene {
   void adapt(Settings& settings) const override {
     const int D = scene_dimension(settings);
     prefer_unless_set(settings, "time.end", is_slab(settings) ? 0.4 : 2 + 0.28 * D);
-    prefer_usual_kernel(settings, D);
     const double h = std::pow(settings.real("sph.neighbours") / unit_sphere_volume(D), 1.0 / D) / scene_n(settings);
     prefer_unless_set(settings, "sph.h_max", 10 * h);
   }

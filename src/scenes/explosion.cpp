@@ -95,11 +95,6 @@ void Explosion::declare(Settings& settings) const {
   declare_integer(settings, "scene.coarser", 1, "from x = 0.125 on particles on a lattice this many times coarser",
                   {.min = 1, .max = 100});
   prefer_usual_gas(settings, 0.05);
-  adapt(settings);
-}
-
-void Explosion::adapt(Settings& settings) const {
-  prefer_usual_kernel(settings, scene_dimension(settings));
 }
 
 ParticleSet Explosion::build(const Settings& settings) const {

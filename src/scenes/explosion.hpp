@@ -10,7 +10,6 @@ namespace sphk {
 class Explosion : public Scene {
  public:
   void declare(Settings& settings) const override;
-  void adapt(Settings& settings) const override;
   ParticleSet build(const Settings& settings) const override;
   /// Sedov's self-similar solution.
   std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override;

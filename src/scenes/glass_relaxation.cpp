@@ -36,7 +36,6 @@ std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::ve
   SimulationSettings settings;
   settings.scheme = "glass";
   settings.gamma = nearly_one;
-  settings.neighbours = usual_neighbours(dimension);
   const auto simulation = make_simulation(gas, settings);
 
   constexpr int most_steps = 1000, steps_between_looks = 20;

@@ -58,9 +58,7 @@ class Gresho : public Scene {
     declare_arrangement(settings, "cubic");
     declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_usual_gas(settings, 1.0);
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   ParticleSet build(const Settings& settings) const override {
     const Block block = block_of(settings);

@@ -9,12 +9,10 @@ namespace sphk {
 namespace {
 
 void relax(ParticleSet& gas, double time, const Settings& settings) {
-  SimulationSettings simulation = simulation_settings(settings);
-  simulation.scheme = "relaxation";
-  simulation.energy = "energy";
+  SimulationSettings simulation = under_scheme(simulation_settings(settings), "relaxation");
   simulation.precision = "mixed";
-  simulation.individual_steps = false;
-  simulation.motion = true;
+  simulation.steps = global_steps;
+  simulation.numbers.set("time.motion", 1);
   ParticleSet resting = gas;
   resting.time = 0;
   resting.id.clear();  // 1, 2, ...: the order of the rows

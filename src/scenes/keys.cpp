@@ -5,9 +5,7 @@
 namespace sphk {
 
 void prefer_unless_set(Settings& settings, std::string_view name, const Value& value) {
-  const auto key = std::ranges::find(settings.keys(), name, &Key::name);
-  if (key == settings.keys().end() || key->origin == Origin::file || key->origin == Origin::command_line) return;
-  settings.prefer(name, value);
+  if (settings.has(name)) settings.prefer(name, value);
 }
 
 void declare_integer(Settings& settings, std::string name, std::int64_t standard, std::string doc, Range range) {
@@ -50,23 +48,6 @@ bool has_equal_masses(const Settings& settings) {
 void prefer_usual_gas(Settings& settings, double end) {
   prefer_unless_set(settings, "time.end", end);
   prefer_unless_set(settings, "sph.gamma", 5.0 / 3);
-}
-
-void prefer_usual_kernel(Settings& settings, int dimension) {
-  const bool sphs = settings.has("sph.scheme") && settings.text("sph.scheme").starts_with("sphs");
-  // S12's kernel and neighbours in 3D, the same radius in 1D; in 2D WC6 grows layers closer to grid runs.
-  if (sphs) prefer_unless_set(settings, "sph.kernel", dimension == 2 ? "wc6" : "hoct4");
-  const double wide = dimension == 1 ? 10 : dimension == 2 ? 100 : 442;
-  prefer_unless_set(settings, "sph.neighbours", sphs ? wide : usual_neighbours(dimension));
-}
-
-void prefer_conserved_energy(Settings& settings) {
-  const bool sphs = settings.has("sph.scheme") && settings.text("sph.scheme") == "sphs";
-  prefer_unless_set(settings, "sph.energy", sphs ? "energy" : "entropy");
-}
-
-double usual_neighbours(int dimension) {
-  return dimension == 1 ? 5 : dimension == 2 ? 20 : 48;
 }
 
 int scene_n(const Settings& settings) {

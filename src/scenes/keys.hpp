@@ -35,17 +35,6 @@ bool has_equal_masses(const Settings& settings);
 /// gamma = 5/3 and this end time, where the user set neither.
 void prefer_usual_gas(Settings& settings, double end);
 
-/// Kernel and neighbour number: for sphs S12's HOCT4 with 442 neighbours (a support of 4.7 spacings), in 2D WC6 with
-/// 100; else usual_neighbours.
-void prefer_usual_kernel(Settings& settings, int dimension);
-
-/// In flows that mix gases: sphs integrates u, which its pressure force then conserves together with the motion. With A
-/// the energy of a layer drifts by per cents while entropies mix.
-void prefer_conserved_energy(Settings& settings);
-
-/// N_n for a support of about 2.3 to 2.5 mean spacings: 48 in 3D, 20 in 2D, 5 in 1D.
-double usual_neighbours(int dimension);
-
 int scene_n(const Settings& settings);
 int scene_dimension(const Settings& settings);
 

@@ -108,9 +108,7 @@ class Noh : public Scene {
     declare_arrangement(settings, "cubic");
     declare_real(settings, "scene.cold_pressure", 1e-6, "pressure of the cold gas at the start", {.min = 1e-300});
     prefer_usual_gas(settings, 0.6);
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   ParticleSet build(const Settings& settings) const override {
     const int D = scene_dimension(settings), n = scene_n(settings);

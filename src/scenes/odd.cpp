@@ -38,10 +38,7 @@ class Odd final : public Scene {
     declare_resolution(settings, 8, "particles along the unit box");
     adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_gas(settings, 0.1);
-    prefer_usual_kernel(settings, 3);
-  }
+  void adapt(Settings& settings) const override { prefer_usual_gas(settings, 0.1); }
 
   ParticleSet build(const Settings& settings) const override {
     const std::string& problem = settings.text("scene.problem");

@@ -56,9 +56,8 @@ class Ring final : public Scene {
     prefer_unless_set(settings, "gravity.central_mass", 1.0);
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 10 * std::numbers::pi);  // five orbits at radius 1
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, 2); }
+  int dimension(const Settings&) const override { return 2; }
 
   /// Equal masses on circles, each with as many particles as make their distances along it and across alike.
   ParticleSet build(const Settings& settings) const override {

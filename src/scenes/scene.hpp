@@ -65,9 +65,14 @@ class Scene {
   /// Declares the keys of [scene] and prefers the engine keys that suit it (scheme, kernel, neighbours, gamma,
   /// time.end).
   virtual void declare(Settings& settings) const = 0;
-  /// Called once, after the file and the command line have set their keys: prefers values that follow from them, such
-  /// as gamma from scene.variant. Keys that the user set stay as they are.
+  /// Called after the file and the command line have set their keys, and again once scheme, kernel and neighbours are
+  /// chosen: prefers values that follow from them, such as gamma from scene.variant. Keys that the user set stay as
+  /// they are. A kernel and neighbour number that a scene prefers hold under the scheme that it prefers.
   virtual void adapt(Settings&) const {}
+  /// Dimensions of the gas: by default scene.dimension, or 3 where there is no such key.
+  virtual int dimension(const Settings& settings) const;
+  /// Whether gases of unlike entropies mix: some schemes then do better with u integrated.
+  virtual bool mixes() const { return false; }
   virtual ParticleSet build(const Settings& settings) const = 0;
   /// Velocities that depend on where the particles are, once they have settled elsewhere (initial_condition.hpp); by
   /// default particles keep theirs.

@@ -14,6 +14,10 @@ std::vector<Array3> rows(const Field& field) {
   return rows;
 }
 
+int Scene::dimension(const Settings& settings) const {
+  return settings.has("scene.dimension") ? static_cast<int>(settings.integer("scene.dimension")) : 3;
+}
+
 const std::vector<const Scene*>& scenes() {
 #define SPHK_ADDRESS_OF_SCENE(name) &name##_scene(),
   static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};

@@ -44,12 +44,6 @@ void ShearLayers::declare(Settings& settings) const {
   prefer_unless_set(settings, "output.snapshots", std::int64_t{standard.snapshots});
   prefer_unless_set(settings, "sph.scheme", "sphs");
   prefer_usual_gas(settings, standard.end);
-  adapt(settings);
-}
-
-void ShearLayers::adapt(Settings& settings) const {
-  prefer_usual_kernel(settings, scene_dimension(settings));
-  prefer_conserved_energy(settings);
 }
 
 ParticleSet ShearLayers::build(const Settings& settings) const {

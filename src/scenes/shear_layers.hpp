@@ -26,7 +26,7 @@ struct LayeredFlow {
 class ShearLayers : public Scene {
  public:
   void declare(Settings& settings) const override;
-  void adapt(Settings& settings) const override;
+  bool mixes() const override { return true; }
   /// Tagged by the layer at the start (mixing.hpp).
   ParticleSet build(const Settings& settings) const override;
   void set_velocities(ParticleSet& gas, const Settings& settings) const override;

@@ -73,13 +73,8 @@ void Shearing::adapt(Settings& settings) const {
   prefer_unless_set(settings, "conductivity.alpha", s.conductivity);
   if (!settings.has("sph.scheme")) return;  // smoothed temperatures need a scheme
   prefer_unless_set(settings, "scene.temperatures", "smoothed");
-  if (!settings.text("sph.scheme").starts_with("sphs")) {
-    prefer_unless_set(settings, "sph.kernel", std::string(s.kernel));
-    prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
-  } else {
-    prefer_usual_kernel(settings, 2);
-  }
-  prefer_conserved_energy(settings);
+  prefer_unless_set(settings, "sph.kernel", std::string(s.kernel));
+  prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
 }
 
 GalleryTile Shearing::gallery() const {

@@ -74,6 +74,7 @@ void prefer_as_v10(Settings& settings) {
   prefer_unless_set(settings, "scene.lattice", "cubic");
   prefer_unless_set(settings, "sph.scheme", "v10");
   prefer_unless_set(settings, "sph.kernel", "liq");
+  prefer_unless_set(settings, "sph.neighbours", 32.0);
 }
 
 class Sod : public Scene {
@@ -100,12 +101,7 @@ class Sod : public Scene {
     const std::string& variant = settings.text("scene.variant");
     prefer_unless_set(settings, "scene.dimension", std::int64_t{variant == "v10" ? 2 : 3});
     prefer_unless_set(settings, "sph.gamma", variant == "r10" ? 1.4 : 5.0 / 3);
-    const int D = scene_dimension(settings);
     if (variant == "v10") prefer_as_v10(settings);
-    if (D == 2)
-      prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
-    else
-      prefer_usual_kernel(settings, D);
   }
 
   ParticleSet build(const Settings& settings) const override {

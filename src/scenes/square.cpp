@@ -44,12 +44,8 @@ class Square final : public Scene {
     declare_real(settings, "scene.boost", 0.0, "speed of all gas along x and y");
     prefer_unless_set(settings, "sph.scheme", "sphs");
     prefer_usual_gas(settings, 1);
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override {
-    prefer_usual_kernel(settings, scene_dimension(settings));
-    prefer_conserved_energy(settings);
-  }
+  bool mixes() const override { return true; }
 
   /// Equal masses: the dense gas on a lattice that is finer by the nearest whole number of particles a side.
   ParticleSet build(const Settings& settings) const override {

@@ -98,7 +98,6 @@ class Tube final : public Scene {
     const auto& given = named(settings.text("scene.problem"));
     prefer_unless_set(settings, "sph.gamma", given.gamma);
     prefer_unless_set(settings, "time.end", given.end);
-    prefer_usual_kernel(settings, scene_dimension(settings));
   }
 
   /// Walls are made by the tube's mirror image beside it, in a box that is periodic.

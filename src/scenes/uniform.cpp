@@ -39,9 +39,7 @@ class UniformGas : public Scene {
                  "random shift of every particle, up to this many spacings along each axis", {.min = 0, .max = 10});
     declare_integer(settings, "scene.seed", 1, "of the random places and shifts", {.min = 0});
     prefer_usual_gas(settings, 0.1);
-    adapt(settings);
   }
-  void adapt(Settings& settings) const override { prefer_usual_kernel(settings, scene_dimension(settings)); }
 
   /// rho = 1, P = 1.
   ParticleSet build(const Settings& settings) const override {

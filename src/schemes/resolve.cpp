@@ -98,22 +98,25 @@ const KernelChoice& usual_of(const SchemeFacts& scheme, int dimension) {
   return scheme.usual[static_cast<std::size_t>(dimension - 1)];
 }
 
-/// Kernel and neighbours of the scheme, the scene or the user, in that order of growing weight; what the scene prefers
-/// holds where it is its own scheme that runs.
-void adopt_kernel(Settings& settings, const SchemeFacts& scheme, int dimension) {
+/// What a scene prefers of the method is meant for the scheme that it prefers: under another it is forgotten.
+void forget_other_method(Settings& settings, const SchemeFacts& scheme, int dimension) {
   const auto preferred = std::ranges::find(settings.keys(), "sph.scheme", &Key::name)->preferred;
-  const std::string& of_scene = preferred ? std::get<std::string>(*preferred) : scheme.name;
+  if (!preferred || std::get<std::string>(*preferred) == scheme.name) return;
   const KernelChoice& usual = usual_of(scheme, dimension);
-  if (of_scene != scheme.name)
-    for (const char* key : {"sph.kernel", "sph.neighbours"})
-      settings.forget_preference(
-          key, std::string_view(key) == "sph.kernel" ? Value(std::string(usual.kernel)) : Value(usual.neighbours));
-  settings.set_standard("sph.kernel", std::string(usual.kernel));
-  const std::string& kernel = settings.text("sph.kernel");
-  // A neighbour number that the scene prefers is meant for the kernel that it prefers.
-  if (settings.set_by_user("sph.kernel") && !settings.set_by_user("sph.neighbours"))
-    settings.forget_preference("sph.neighbours", usual_neighbours(scheme, kernel, dimension));
-  settings.set_standard("sph.neighbours", usual_neighbours(scheme, kernel, dimension));
+  settings.forget_preference("sph.kernel", std::string(usual.kernel));
+  settings.forget_preference("sph.neighbours", usual.neighbours);
+  settings.forget_preference("sph.energy", std::string(first_energy(scheme, compiled_schemes())));
+  settings.forget_preference("time.steps", std::string(scheme.steps));
+  settings.forget_preference("time.courant", scheme.courant);
+}
+
+/// Kernel and neighbours of the scheme, the scene or the user, in that order of growing weight. A number that the scene
+/// prefers is meant for the kernel that it prefers.
+void adopt_kernel(Settings& settings, const SchemeFacts& scheme, int dimension) {
+  settings.set_standard("sph.kernel", std::string(usual_of(scheme, dimension).kernel));
+  const double neighbours = usual_neighbours(scheme, settings.text("sph.kernel"), dimension);
+  if (settings.set_by_user("sph.kernel")) settings.forget_preference("sph.neighbours", neighbours);
+  settings.set_standard("sph.neighbours", neighbours);
 }
 
 }  // namespace
@@ -157,6 +160,17 @@ SimulationSettings resolved(SimulationSettings settings, int dimension, const In
   return settings;
 }
 
+SimulationSettings under_scheme(SimulationSettings settings, const std::string& scheme) {
+  const std::vector<const Number*> known = numbers_of(scheme_facts(scheme, compiled_schemes()), compiled_schemes());
+  Given numbers;
+  for (const auto& [key, value] : settings.numbers.values())
+    if (find(known, key)) numbers.set(key, value);
+  settings.numbers = numbers;
+  settings.scheme = scheme;
+  settings.energy.clear();
+  return settings;
+}
+
 void declare_engine_keys(Settings& settings) {
   const SimulationSettings standard;
   settings.declare({"sph.scheme", standard.scheme, "method of the momentum equation", scheme_names()});
@@ -197,6 +211,7 @@ void adopt_scheme(Settings& settings, int dimension, bool mixes) {
     else
       settings.remove(number->key);
   }
+  forget_other_method(settings, scheme, dimension);
   adopt_kernel(settings, scheme, dimension);
   settings.set_standard("sph.energy", standard_energy(scheme, mixes));
   settings.set_standard("time.steps", std::string(scheme.steps));

@@ -18,6 +18,9 @@ double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, in
 /// does not have, and names those that have them.
 SimulationSettings resolved(SimulationSettings settings, int dimension, const Instantiations& rows);
 
+/// The same kernel, neighbours, time-steps and numbers under another scheme, as far as it has the numbers.
+SimulationSettings under_scheme(SimulationSettings settings, const std::string& scheme);
+
 /// Declares the keys of all schemes, of [sph], [time] and of the sections of terms.
 void declare_engine_keys(Settings& settings);
 /// Makes these keys those of the chosen scheme: defaults are its own, for gas of that dimension, in flows that mix or
