@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "src/report/error_budget.hpp"
-#include "src/scenes/scenes.hpp"
+#include "src/run/problem.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk::test {
@@ -25,13 +25,12 @@ struct Result {
 };
 
 Result run_scene(const std::string& name, const Keys& keys) {
-  const Scene& scene = find_scene(name);
+  std::vector<Override> overrides;
+  for (const auto& [key, text] : keys) overrides.push_back({key, text, key + "=" + text});
+  const Problem problem = resolve_problem(name, overrides);
+  const Scene& scene = *problem.scene;
   Result result;
-  declare_engine_keys(result.settings);
-  result.settings.declare({"time.end", 1.0, "", {}});
-  scene.declare(result.settings);
-  for (const auto& [key, text] : keys) result.settings.set_from_text(key, text, Origin::command_line);
-  scene.adapt(result.settings);
+  result.settings = problem.settings;
   const auto run = make_simulation(scene.build(result.settings), simulation_settings(result.settings));
   result.before = run->totals();
   const double end = result.settings.real("time.end");

@@ -20,6 +20,7 @@ Settings settings_with(const Keys& keys) {
   shearing_scene().declare(settings);
   for (const auto& [name, text] : keys) settings.set_from_text(name, text, Origin::command_line);
   shearing_scene().adapt(settings);
+  adopt_scheme(settings, 2, shearing_scene().mixes());
   return settings;
 }
 

@@ -21,6 +21,7 @@ double unevenness(const char* temperatures) {
                                    std::pair{"sph.precision", "double"}, std::pair{"scene.temperatures", temperatures}})
     settings.set_from_text(name, text, Origin::command_line);
   kh12_scene().adapt(settings);
+  adopt_scheme(settings, 2, kh12_scene().mixes());
   const auto run = make_simulation(kh12_scene().build(settings), simulation_settings(settings));
   const std::vector<double> pressures = run->snapshot().field("Pressures").values;
   const auto [low, high] = std::ranges::minmax(pressures);
