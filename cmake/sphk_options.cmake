@@ -7,3 +7,10 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Warnings of sphk's own code; a project that adds this folder has its own. Left out are three that g++ 12 raises of
+# std::string and of packs in registers, where nothing is wrong.
+if(PROJECT_IS_TOP_LEVEL AND NOT Kokkos_ENABLE_CUDA)
+  add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wall;-Wextra;-Wshadow;-Wconversion>"
+                      "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-restrict;-Wno-stringop-overread;-Wno-stringop-overflow>")
+endif()

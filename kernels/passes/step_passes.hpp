@@ -79,7 +79,7 @@ struct ActiveParticles {
   template <class L>
   static void run(RunOf<L>& run) {
     run.active_count = mark_active(run.state);
-    run.schedule.updates_since_sort += run.active_count;
+    run.schedule.updates_since_sort += static_cast<double>(run.active_count);
   }
 };
 

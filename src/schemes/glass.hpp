@@ -8,7 +8,8 @@ namespace sphk {
 
 /// Isentropic gas with friction: it settles into a glass, an even arrangement without a preferred direction.
 struct Glass {
-  static constexpr SchemeFacts facts{.name = "glass", .summary = "settles random places into a glass", .hidden = true};
+  static constexpr SchemeFacts facts{
+      .name = "glass", .summary = "settles random places into a glass", .courant = 0.4, .hidden = true};
 
   struct Entropy
       : Recipe<EntropyForm, TermSet<>, TermSet<PressureGradientConservative, SignalVelocity>,

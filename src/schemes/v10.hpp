@@ -31,7 +31,7 @@ struct V10 {
   };
   /// Without conductivity (V10's series NOAC).
   struct Plain : Without<Entropy, ArtificialConductivity> {
-    using Kernels = Curated<List<>, List<>, List<>>;
+    using Kernels = Entropy::Kernels;
   };
   using Lean = ByDimension<List<>, List<CubicSpline>, List<>>;
   using Recipes = List<Entropy, Smoothed, Plain, Inviscid<Entropy, ViscosityValcke<>, Lean>,

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "src/schemes/instantiate.hpp"
+#include "src/schemes/make_simulation.hpp"
 #include "src/schemes/osph.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/engine/array3.hpp"

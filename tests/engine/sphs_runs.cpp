@@ -3,10 +3,7 @@
 
 #include <cmath>
 
-#include "kernels/smoothing/hoct.hpp"
-#include "src/engine/passes_of.hpp"
 #include "src/schemes/registry.hpp"
-#include "src/schemes/sphs.hpp"
 #include "tests/engine/brute_force.hpp"
 
 namespace sphk::test {
@@ -65,22 +62,6 @@ TEST(SphsRun, a_boost_changes_the_result_of_s12s_correction) {
   s.numbers.set("dissipation.mass_form", 3);  // particle
   const Snapshot rest = after_steps(unequal_gas(0), s, 5), moving = after_steps(unequal_gas(20), s, 5);
   EXPECT_GT(largest_difference(rest.field("InternalEnergies"), moving.field("InternalEnergies")), 1e-3);
-}
-
-/// The scheme without mass dissipation against the one with it, for particles of equal masses: the same sums, though
-/// the compiler may contract them in another way.
-TEST(SphsRun, leaving_out_mass_dissipation_changes_nothing_where_masses_are_equal) {
-  ParticleSet gas = unequal_gas(0);
-  gas.m.assign(gas.size(), gas.m[0]);
-  const auto evolved = [&]<class S>(S) {
-    const auto run =
-        make_run<BaseLayout<typename S::Layout>>(gas, in_double(), std::make_unique<PassesOf<S>>(Hoct<4>{}));
-    for (int step = 0; step < 5; ++step) run->step(1e9);
-    return run->snapshot();
-  };
-  const Snapshot a = evolved(Sphs<3, Hoct<4>, double>{}), b = evolved(SphsMulti<3, Hoct<4>, double>{});
-  for (const char* name : {"Coordinates", "Velocities", "InternalEnergies", "Masses", "Alpha"})
-    EXPECT_LT(largest_difference(a.field(name), b.field(name)), 1e-12) << name;
 }
 
 /// Strengths of zero leave an adiabatic gas: the entropies stay as they were.

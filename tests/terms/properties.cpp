@@ -69,19 +69,19 @@ auto seen_from(const T& i, T j) {
   return j;
 }
 
-template <class Term, class T, class Values>
-auto share(const Values& i, const Values& j, bool symmetric) {
+enum class Loop { symmetric, gather };
+
+template <class Term, Loop loop, class T, class Values>
+auto share(const Values& i, const Values& j) {
   sphk::Values<T, 3, typename Term::Adds> sum;
   set_zero(sum);
   const Smoothing<CubicSpline, 3> smoothing(CubicSpline{});
   const Term term(Given{});
   const Values neighbour = seen_from(i, j);
-  if constexpr (requires { term(sum, i, neighbour, symmetric_pair<T, 3>(smoothing, i, neighbour)); }) {
-    if (symmetric) term(sum, i, neighbour, symmetric_pair<T, 3>(smoothing, i, neighbour));
-  }
-  if constexpr (requires { term(sum, i, neighbour, gather_pair<T, 3>(smoothing, i, neighbour)); }) {
-    if (!symmetric) term(sum, i, neighbour, gather_pair<T, 3>(smoothing, i, neighbour));
-  }
+  if constexpr (loop == Loop::symmetric)
+    term(sum, i, neighbour, symmetric_pair<T, 3>(smoothing, i, neighbour));
+  else
+    term(sum, i, neighbour, gather_pair<T, 3>(smoothing, i, neighbour));
   return sum;
 }
 
@@ -101,13 +101,13 @@ void expect_equal(const Sums& a, const Sums& b) {
 }
 
 /// The same pair in float packs: of each field, within 32 roundings of its largest component.
-template <class Term>
-void expect_same_in_a_pack(bool symmetric) {
+template <class Term, Loop loop>
+void expect_same_in_a_pack() {
   using Pack = simd<float, native_lanes<float>>;
   const Pair<Term, double> pair;
   Pair<Term, Pack> packs;
-  const auto wanted = share<Term, double>(pair.i, pair.j, symmetric);
-  const auto got = share<Term, Pack>(packs.i, packs.j, symmetric);
+  const auto wanted = share<Term, loop, double>(pair.i, pair.j);
+  const auto got = share<Term, loop, Pack>(packs.i, packs.j);
   for_each_type(typename Term::Adds{}, [&]<class F>() {
     double scale = 0;
     for (int k = 0; k < components<F, 3>; ++k) scale = std::max(scale, std::abs(component_array<F>(wanted)[k]));
@@ -120,12 +120,12 @@ void expect_same_in_a_pack(bool symmetric) {
   });
 }
 
-template <class Term>
-void expect_galilean_invariance(bool symmetric) {
+template <class Term, Loop loop>
+void expect_galilean_invariance() {
   Pair<Term, double> pair;
-  const auto at_rest = share<Term, double>(pair.i, pair.j, symmetric);
+  const auto at_rest = share<Term, loop, double>(pair.i, pair.j);
   for (auto* one : {&pair.i, &pair.j}) one->v[0] += 64, one->v[2] -= 32;  // leaves v_ij exact
-  expect_equal(share<Term, double>(pair.i, pair.j, symmetric), at_rest);
+  expect_equal(share<Term, loop, double>(pair.i, pair.j), at_rest);
 }
 
 template <class Term>
@@ -136,21 +136,21 @@ TYPED_TEST(EveryPairTerm, AddsNothingBeyondReach) {
   Pair<TypeParam, double> pair;
   for (const double distance : {3.0, 3.0001, 50.0}) {  // h_i = 2, h_j = 3
     pair.place(distance);
-    expect_nothing(share<TypeParam, double>(pair.i, pair.j, true));
-    expect_nothing(share<TypeParam, double>(pair.j, pair.i, true));
+    expect_nothing(share<TypeParam, Loop::symmetric, double>(pair.i, pair.j));
+    expect_nothing(share<TypeParam, Loop::symmetric, double>(pair.j, pair.i));
   }
 }
 TYPED_TEST(EveryPairTerm, IsGalileanInvariant) {
-  expect_galilean_invariance<TypeParam>(true);
+  expect_galilean_invariance<TypeParam, Loop::symmetric>();
 }
 TYPED_TEST(EveryPairTerm, IsTheSameInAPack) {
-  expect_same_in_a_pack<TypeParam>(true);
+  expect_same_in_a_pack<TypeParam, Loop::symmetric>();
 }
 TYPED_TEST(EveryPairTerm, KeepsWhatItClaimsOfActionAndReaction) {
   if constexpr (requires { typename TypeParam::Antisymmetric; }) {
     const Pair<TypeParam, double> pair;
-    const auto on_i = share<TypeParam, double>(pair.i, pair.j, true),
-               on_j = share<TypeParam, double>(pair.j, pair.i, true);
+    const auto on_i = share<TypeParam, Loop::symmetric, double>(pair.i, pair.j),
+               on_j = share<TypeParam, Loop::symmetric, double>(pair.j, pair.i);
     for_each_type(typename TypeParam::Antisymmetric{}, [&]<class F>() {
       double scale = 0;
       for (int k = 0; k < components<F, 3>; ++k)
@@ -171,14 +171,14 @@ TYPED_TEST(EveryGatherTerm, AddsNothingBeyondReach) {
   Pair<TypeParam, double> pair;
   for (const double distance : {2.0, 2.0001, 50.0}) {
     pair.place(distance);
-    expect_nothing(share<TypeParam, double>(pair.i, pair.j, false));
+    expect_nothing(share<TypeParam, Loop::gather, double>(pair.i, pair.j));
   }
 }
 TYPED_TEST(EveryGatherTerm, IsGalileanInvariant) {
-  expect_galilean_invariance<TypeParam>(false);
+  expect_galilean_invariance<TypeParam, Loop::gather>();
 }
 TYPED_TEST(EveryGatherTerm, IsTheSameInAPack) {
-  expect_same_in_a_pack<TypeParam>(false);
+  expect_same_in_a_pack<TypeParam, Loop::gather>();
 }
 
 }  // namespace
