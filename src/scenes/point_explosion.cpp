@@ -35,10 +35,9 @@ class PointExplosion final : public Explosion {
   }
   void adapt(Settings& settings) const override {
     Explosion::adapt(settings);
-    if (settings.has("sph.scheme") && settings.text("sph.scheme") == "gadget2" && scene_dimension(settings) == 3) {
-      prefer_unless_set(settings, "sph.kernel", "wc4");
-      prefer_unless_set(settings, "sph.neighbours", 200.0);
-    }
+    if (scene_dimension(settings) != 3) return;
+    prefer_unless_set(settings, "sph.kernel", "wc4");
+    prefer_unless_set(settings, "sph.neighbours", 200.0);
   }
 
   std::vector<HeatEvent> heatings(const Settings& settings) const override {
