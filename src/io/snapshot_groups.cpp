@@ -150,7 +150,6 @@ void write_own_group(hdf5::Group own, const Snapshot& snapshot, const SnapshotIn
   own.set("Kernel", info.kernel);
   own.set("Precision", info.precision);
   own.set("Neighbours", info.neighbours);
-  own.set("Seed", info.seed);
   own.set("SceneText", info.scene_text);
 }
 

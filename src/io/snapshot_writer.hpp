@@ -23,7 +23,6 @@ struct SnapshotInfo {
   std::string scene_text;    ///< the complete scene file (TOML)
   double neighbours = 48;    ///< N_n of S12 eq 11
   double courant = 0.4;
-  std::uint64_t seed = 0;
   Settings settings;  ///< every key is echoed under /Parameters
 };
 

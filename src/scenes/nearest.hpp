@@ -7,7 +7,7 @@
 namespace sphk {
 
 /// Finds the particle nearest to a place, in a box that is periodic along all its axes, from a grid of cells with about
-/// one particle each.
+/// one particle each. The engine's cells answer for its own particles in a run; this asks a snapshot, at any place.
 class NearestParticle {
  public:
   static constexpr std::size_t none = ~std::size_t{0};
@@ -24,10 +24,9 @@ class NearestParticle {
   int dimension_;
   Box box_;
   std::array<int, 3> counts_{1, 1, 1};
-  double edge_;                     ///< the shortest of a cell
-  std::vector<Array3> x_;           ///< by cell
-  std::vector<std::size_t> row_;    ///< of the snapshot, by cell
-  std::vector<std::size_t> begin_;  ///< of every cell in x_
+  double edge_;  ///< the shortest of a cell
+  std::vector<Array3> x_;
+  std::vector<std::vector<std::size_t>> rows_;  ///< of the particles in each cell
 };
 
 }  // namespace sphk

@@ -34,10 +34,9 @@ class PointExplosion final : public Explosion {
                  "time at which the energy comes, into gas that has been at rest until then", {.min = 0, .max = 1e300});
   }
   void adapt(Settings& settings) const override {
-    if (settings.has("sph.scheme") && settings.text("sph.scheme") == "gadget2" && scene_dimension(settings) == 3) {
-      prefer_unless_set(settings, "sph.kernel", "wc4");
-      prefer_unless_set(settings, "sph.neighbours", 200.0);
-    }
+    if (scene_dimension(settings) != 3) return;
+    prefer_unless_set(settings, "sph.kernel", "wc4");
+    prefer_unless_set(settings, "sph.neighbours", 200.0);
   }
 
   std::vector<HeatEvent> heatings(const Settings& settings) const override {

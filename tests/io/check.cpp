@@ -37,7 +37,7 @@ TEST(Check, HealthyParticlesHaveNoFindings) {
   EXPECT_TRUE(check_particles(ParticleSet{}).empty());
 }
 
-TEST(Check, NonFiniteValuesOfEveryColumn) {
+TEST(Check, FindsNonFiniteValuesInEveryColumn) {
   const auto finds = [](auto spoil) {
     ParticleSet p = healthy(5);
     p.h.assign(5, 0.1);
@@ -52,7 +52,7 @@ TEST(Check, NonFiniteValuesOfEveryColumn) {
   EXPECT_TRUE(finds([](ParticleSet& p) { p.h[3] = nan; }));
 }
 
-TEST(Check, MassesAndEnergies) {
+TEST(Check, FindsMassesAndEnergiesThatCannotBe) {
   ParticleSet p = healthy(6);
   p.m[1] = 0;
   p.m[4] = -1;
@@ -66,14 +66,14 @@ TEST(Check, MassesAndEnergies) {
   EXPECT_EQ(only_finding(p).examples.at(0).index, 2);
 }
 
-TEST(Check, NegativeSmoothingLengths) {
+TEST(Check, FindsNegativeSmoothingLengths) {
   ParticleSet p = healthy(6);
   p.h = {1, 1, 0, 1, -1, 1};  // 0 is to be found
   EXPECT_EQ(only_finding(p).examples.at(0).index, 4);
   EXPECT_EQ(only_finding(p).severity, Finding::Severity::error);
 }
 
-TEST(Check, RepeatedIds) {
+TEST(Check, FindsRepeatedIds) {
   ParticleSet p = healthy(6);
   p.id = {5, 9, 5, 7, 9, 5};
   const Finding finding = only_finding(p);
@@ -84,7 +84,7 @@ TEST(Check, RepeatedIds) {
   EXPECT_TRUE(check_particles(p).empty());
 }
 
-TEST(Check, CoincidentParticlesAlsoThroughThePeriodicBoundary) {
+TEST(Check, FindsCoincidentParticlesAlsoThroughThePeriodicBoundary) {
   ParticleSet p = healthy(6);
   p.x[0] = {0, 0.25, 0};
   p.x[5] = {1, 0.25, -0.0};
@@ -96,7 +96,7 @@ TEST(Check, CoincidentParticlesAlsoThroughThePeriodicBoundary) {
   EXPECT_TRUE(check_particles(p).empty());
 }
 
-TEST(Check, ParticlesOutsideTheBoxInTheDimensionsThereAre) {
+TEST(Check, FindsParticlesOutsideTheBoxInTheDimensionsThereAre) {
   ParticleSet p = healthy(4);
   p.x[2][1] = 1.25;
   EXPECT_EQ(only_finding(p).examples.at(0).x, p.x[2]);

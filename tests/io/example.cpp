@@ -1,13 +1,9 @@
 #include "tests/io/example.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <numeric>
 
 namespace sphk {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -75,18 +71,6 @@ hdf5::File ExampleIc::make() const {
   gas.write("Masses", m);
   gas.write("InternalEnergy", u);
   return file;
-}
-
-Scratch::Scratch()
-    : folder_(fs::temp_directory_path() / ("sphk-io-" + std::to_string(getpid()) + "-" +
-                                           testing::UnitTest::GetInstance()->current_test_info()->name())) {
-  fs::remove_all(folder_);
-  fs::create_directories(folder_);
-}
-
-Scratch::~Scratch() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
 }
 
 std::string input_error(const std::function<void()>& call) {

@@ -10,6 +10,7 @@
 #include "src/engine/particle_set.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/snapshot_writer.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace sphk {
 
@@ -25,13 +26,13 @@ struct ExampleIc {
   hdf5::File make() const;
 };
 
-/// A folder that goes away with the test.
+/// A test with a folder of its own.
 class Scratch : public testing::Test {
+  TemporaryFolder temporary_;
+
  protected:
-  Scratch();
-  ~Scratch() override;
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
-  std::filesystem::path folder_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// The message of the InputError that `call` throws; fails the test when it throws none.

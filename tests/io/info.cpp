@@ -9,7 +9,7 @@ namespace {
 
 using Info = Scratch;
 
-TEST_F(Info, OwnSnapshot) {
+TEST_F(Info, TellsOfAnOwnSnapshot) {
   Snapshot s = example_snapshot(2, 4);
   s.fields[3].values = {1, 2, 6, std::numeric_limits<double>::infinity()};  // Densities: mean of the finite ones 3
   write_snapshot(file("snap.hdf5"), s, example_info());
@@ -20,7 +20,7 @@ TEST_F(Info, OwnSnapshot) {
   EXPECT_TRUE(mentions(text, {"Densities" + std::string(32, ' ') + "1             3             6  (1 not finite)"}));
 }
 
-TEST_F(Info, InitialConditionWithOtherTypes) {
+TEST_F(Info, CountsOtherTypes) {
   auto made = hdf5::File::create();
   auto header = made.create_group("Header");
   header.set("BoxSize", 2.0);

@@ -26,7 +26,7 @@ double wendland_c4_moment(int a) {
 }
 
 /// sigma^2 = M_(D+1) / (D M_(D-1)) with the moments M_a of the shape in closed form.
-TEST(KernelGamma, ClosedForms) {
+TEST(KernelGamma, HasItsClosedForms) {
   const std::pair<const char*, double (*)(int)> kernels[] = {
       {"cs", cubic_spline_moment}, {"wc2", wendland_c2_moment}, {"wc4", wendland_c4_moment}};
   for (const auto& [kernel, moment] : kernels)
@@ -36,7 +36,7 @@ TEST(KernelGamma, ClosedForms) {
 }
 
 /// The numbers that SWIFT prints for the cubic spline (Dehnen & Aly 2012, table 1), 6 decimals.
-TEST(KernelGamma, CubicSplineOfTheTable) {
+TEST(KernelGamma, OfTheCubicSplineIsTheTables) {
   EXPECT_NEAR(kernel_gamma("cs", 1), 1.732051, 5e-7);
   EXPECT_NEAR(kernel_gamma("cs", 2), 1.778002, 5e-7);
   EXPECT_NEAR(kernel_gamma("cs", 3), 1.825742, 5e-7);

@@ -44,7 +44,7 @@ ATTRIBUTES = {  # group: {attribute: (type, shape)}; () is a scalar, as SWIFT ha
         **dict.fromkeys(["Scene", "Scheme", "Kernel", "Precision", "SceneText"], (STRING, ())),
         **dict.fromkeys(["SchemaVersion", "Dimension"], ("i4", (1,))),
         **dict.fromkeys(["BoxLower", "BoxSize"], ("f8", (3,))),
-        "Neighbours": ("f8", (1,)), "Seed": ("u8", (1,)), "Step": ("i8", (1,)), "Periodic": ("i4", (3,)),
+        "Neighbours": ("f8", (1,)), "Step": ("i8", (1,)), "Periodic": ("i4", (3,)),
     },
 }
 for group in ["Units", "InternalCodeUnits"]:

@@ -39,7 +39,7 @@ bool remarked(const ReadResult& result, const std::string& part) {
   return false;
 }
 
-TEST_F(Reader, PlainGadgetFile) {
+TEST_F(Reader, TakesAPlainGadgetFile) {
   const ReadResult result = read(ExampleIc{}.make());
   const ParticleSet& p = result.particles;
   expect_example(p, 8, 3);
@@ -75,7 +75,7 @@ TEST_F(Reader, DimensionAttributeWinsAndSaysWhatIsDropped) {
   EXPECT_TRUE(remarked(result, "beyond 2 dimensions"));
 }
 
-TEST_F(Reader, AnyNumberTypeAndColumnShape) {
+TEST_F(Reader, TakesAnyNumberTypeAndColumnShape) {
   auto made = hdf5::File::create();
   made.create_group("Header").set("BoxSize", std::vector<float>{1, 2});
   auto gas = made.create_group("PartType0");
@@ -124,7 +124,7 @@ TEST_F(Reader, OtherTypesAreNamedAndCounted) {
   EXPECT_TRUE(mentions(error_of(groupless), {"ic.hdf5", "no gas", "PartType0"}));
 }
 
-TEST_F(Reader, OpenBoxWhereThereIsNoBoxSize) {
+TEST_F(Reader, OpensTheBoxWhereThereIsNoBoxSize) {
   auto made = hdf5::File::create();
   made.create_group("Header");
   auto gas = made.create_group("PartType0");
@@ -139,7 +139,7 @@ TEST_F(Reader, OpenBoxWhereThereIsNoBoxSize) {
   EXPECT_TRUE(remarked(result, "open"));
 }
 
-TEST_F(Reader, SwiftsFlagsOfPeriodicityAndGamma) {
+TEST_F(Reader, TakesSwiftsFlagsOfPeriodicityAndGamma) {
   auto made = ExampleIc{}.make();
   made.create_group("RuntimePars").set("PeriodicBoundariesOn", std::int32_t{0});
   made.create_group("HydroScheme").set("Adiabatic index", 1.4);

@@ -32,7 +32,7 @@ void expect_equal(const ParticleSet& p, const Snapshot& s) {
     }
 }
 
-TEST_F(SnapshotWriter, ReadBackBitForBit) {
+TEST_F(SnapshotWriter, IsReadBackBitForBit) {
   for (const int dimension : {1, 2, 3})
     for (const auto compression : {Compression::none, Compression::gzip})
       for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
@@ -152,8 +152,7 @@ TEST_F(SnapshotWriter, AFullDiskLeavesTheOldFileAndNothingElse) {
 TEST_F(SnapshotWriter, SeriesNamesEverySnapshotWithItsTime) {
   const std::vector<SeriesEntry> entries{{"snap_0000.hdf5", 0}, {"snap_0001.hdf5", 0.125}};
   write_series(folder_, entries);
-  std::ifstream stream(file("run.hdf.series"));
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = read_text(file("run.hdf.series"));
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
   EXPECT_EQ(text, R"({"file-series-version":"1.0","files":[{"name":"snap_0000.hdf5","time":0},)"
                   R"({"name":"snap_0001.hdf5","time":0.125}]})");

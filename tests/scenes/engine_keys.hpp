@@ -24,23 +24,44 @@ inline Settings settings_of(const Scene& scene, const std::vector<std::pair<std:
   return settings;
 }
 
+/// The rows of a field of vectors, one after the other.
+inline std::vector<double> flat(const std::vector<Array3>& rows) {
+  std::vector<double> values;
+  for (const Array3& row : rows) values.insert(values.end(), row.begin(), row.end());
+  return values;
+}
+
+/// Those fields of the particles at `time`, and their tags.
+inline Snapshot snapshot_with(const ParticleSet& gas, double time, double gamma, std::vector<Field> fields) {
+  Snapshot snapshot;
+  snapshot.dimension = gas.dimension;
+  snapshot.box = gas.box;
+  snapshot.time = time;
+  snapshot.gamma = gamma;
+  for (std::size_t i = 0; i < gas.size(); ++i) snapshot.id.push_back(i + 1);
+  snapshot.fields = std::move(fields);
+  snapshot.fields.push_back(phase_tags(gas));
+  return snapshot;
+}
+
 /// The scene's particles as a snapshot at `time` with the gas state of `state(x)`.
 template <class F>
 Snapshot snapshot_of(const ParticleSet& gas, double time, F&& state) {
-  Snapshot snapshot{.dimension = gas.dimension, .box = gas.box, .time = time};
-  Field x{.name = "Coordinates", .components = 3}, v{.name = "Velocities", .components = 3};
-  Field rho{.name = "Densities"}, P{.name = "Pressures"}, m{.name = "Masses"};
-  for (std::size_t i = 0; i < gas.size(); ++i) {
-    const GasState here = state(gas.x[i]);
-    snapshot.id.push_back(i + 1);
-    x.values.insert(x.values.end(), gas.x[i].begin(), gas.x[i].end());
-    v.values.insert(v.values.end(), here.v.begin(), here.v.end());
-    rho.values.push_back(here.rho);
-    P.values.push_back(here.P);
-    m.values.push_back(here.rho / static_cast<double>(gas.size()));  // of even cells of a unit box
+  std::vector<Array3> v;
+  std::vector<double> rho, P, m;
+  for (const Array3& x : gas.x) {
+    const GasState here = state(x);
+    v.push_back(here.v);
+    rho.push_back(here.rho);
+    P.push_back(here.P);
+    m.push_back(here.rho / static_cast<double>(gas.size()));  // of even cells of a unit box
   }
-  snapshot.fields = {x, v, rho, P, m, phase_tags(gas)};
-  return snapshot;
+  return snapshot_with(gas, time, 5.0 / 3,
+                       {{"Coordinates", "", {}, 3, flat(gas.x)},
+                        {"Velocities", "", {}, 3, flat(v)},
+                        {"Densities", "", {}, 1, rho},
+                        {"Pressures", "", {}, 1, P},
+                        {"Masses", "", {}, 1, m}});
 }
 
 /// The exact solution at `time` on the scene's particles.
@@ -49,22 +70,21 @@ inline Snapshot exact_snapshot(const Scene& scene, const Settings& settings, dou
   return snapshot_of(scene.build(settings), time, [&](const Array3& x) { return exact(x, time); });
 }
 
-/// The scene's particles as the snapshot of its start, with the exact densities `rho(x)`.
+/// The scene's particles as the snapshot of its start, with the exact densities `density(x)`.
 template <class F>
-Snapshot start_snapshot(const ParticleSet& gas, double gamma, F&& rho) {
-  Snapshot snapshot{.dimension = gas.dimension, .box = gas.box, .gamma = gamma};
-  Field x{.name = "Coordinates", .components = 3}, v{.name = "Velocities", .components = 3};
-  Field m{.name = "Masses", .values = gas.m}, u{.name = "InternalEnergies", .values = gas.u};
-  Field density{.name = "Densities"}, A{.name = "Entropies"};
+Snapshot start_snapshot(const ParticleSet& gas, double gamma, F&& density) {
+  std::vector<double> rho, A;
   for (std::size_t i = 0; i < gas.size(); ++i) {
-    snapshot.id.push_back(i + 1);
-    x.values.insert(x.values.end(), gas.x[i].begin(), gas.x[i].end());
-    v.values.insert(v.values.end(), gas.v[i].begin(), gas.v[i].end());
-    density.values.push_back(rho(gas.x[i]));
-    A.values.push_back((gamma - 1) * gas.u[i] * std::pow(density.values[i], 1 - gamma));
+    rho.push_back(density(gas.x[i]));
+    A.push_back((gamma - 1) * gas.u[i] * std::pow(rho[i], 1 - gamma));
   }
-  snapshot.fields = {x, v, m, u, density, A, phase_tags(gas)};
-  return snapshot;
+  return snapshot_with(gas, 0, gamma,
+                       {{"Coordinates", "", {}, 3, flat(gas.x)},
+                        {"Velocities", "", {}, 3, flat(gas.v)},
+                        {"Masses", "", {}, 1, gas.m},
+                        {"InternalEnergies", "", {}, 1, gas.u},
+                        {"Densities", "", {}, 1, rho},
+                        {"Entropies", "", {}, 1, A}});
 }
 
 inline double total_mass(const ParticleSet& gas) {

@@ -35,7 +35,7 @@ TEST(Expansion, EndsAtFiveTimesItsRadius) {
   }
 }
 
-TEST(Expansion, ErrorsOfTheExactSolution) {
+TEST(Expansion, TheExactSolutionHasNoErrors) {
   for (const char* variant : {"ball", "slab"}) {
     const Settings settings =
         settings_of(expansion_scene(), {{"scene.n", "8"}, {"scene.across", "2"}, {"scene.variant", variant}});

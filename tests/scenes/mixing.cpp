@@ -44,7 +44,7 @@ double amplitude(F&& v_y, std::array<double, 2> interfaces = {0.25, 0.75}) {
 }
 
 // S = a/2 sum w V and C = 0, or both with a shifted wave: M = a. A mean v_y and other waves drop out of whole periods.
-TEST(ModeAmplitude, OfAWaveEverywhereIsItsOwn) {
+TEST(ModeAmplitude, IsThatOfAWaveEverywhere) {
   EXPECT_NEAR(amplitude([](double x, double) { return 0.02 * std::sin(k * x); }), 0.02, 1e-15);
   EXPECT_NEAR(amplitude([](double x, double) { return 0.02 * std::sin(k * x + 1.1); }), 0.02, 1e-15);
   EXPECT_NEAR(amplitude([](double x, double) { return 0.5 + std::cos(2 * k * x); }), 0, 1e-15);
@@ -53,7 +53,7 @@ TEST(ModeAmplitude, OfAWaveEverywhereIsItsOwn) {
 // Rows at distances d (j + 1/2) from the interface, d = 1/n, j = 0 .. n/4 - 1 on either side:
 // sum exp(-k d (j + 1/2)) = (1 - exp(-k/4)) / (2 sinh(k d / 2)), and the same with 2k in S:
 // M = a (1 + exp(-k/4)) / (2 cosh(k d / 2)).
-TEST(ModeAmplitude, OfTheModeOfOneInterface) {
+TEST(ModeAmplitude, IsThatOfTheModeOfOneInterface) {
   const auto mode = [](double x, double y) { return 0.02 * std::sin(k * x) * std::exp(-k * std::abs(y - 0.5)); };
   EXPECT_NEAR(amplitude(mode, {0.5, 0.5}), 0.01 * (1 + std::exp(-k / 4)) / std::cosh(k / (2.0 * n)), 1e-15);
 }
@@ -64,7 +64,7 @@ TEST(ModeAmplitude, IsTheMeanOverTheInterfaces) {
 }
 
 // Y = 3/4 and 1/4 in a sixteenth of the rows each: 4 Y (1 - Y) = 3/4 there, half of 3/4 * 1/8 for one interface.
-TEST(MixedWidth, OfRowsThatShareTheirGas) {
+TEST(MixedWidth, CountsRowsThatShareTheirGas) {
   ParticleSet gas = square();
   EXPECT_EQ(mixed_width(snapshot_of(gas), layers), 0);
   for (std::size_t i = 0; i < gas.size(); ++i) {
@@ -102,7 +102,7 @@ TEST(Crossed, IsTheShareOfDenseGasThatLeft) {
 
 // 4 particles of mass 1, 2, 3, 4; those of mass 2 and 4 are dense in origin; 2 alone is dense and cold enough still:
 // cloud_mass = 2/6, cloud_velocity = (2 * 0.5 + 4 * 2) / 6 = 1.5.
-TEST(Cloud, MassAndVelocity) {
+TEST(Cloud, HasMassAndVelocity) {
   ParticleSet gas;
   gas.x.assign(4, {0.5, 0.5, 0.5});
   gas.m = {1, 2, 3, 4};

@@ -11,8 +11,10 @@ namespace {
 
 /// `count` particles at random in a periodic box, all in its lower part where `clumped`.
 Snapshot random_gas(int dimension, int count, bool clumped) {
-  Snapshot snapshot{.dimension = dimension, .box = {.lower = {-1, 2, 0}, .size = {3, 1, 0.5}}};
-  Field x{.name = "Coordinates", .components = 3};
+  Snapshot snapshot;
+  snapshot.dimension = dimension;
+  snapshot.box = {.lower = {-1, 2, 0}, .size = {3, 1, 0.5}};
+  Field x{"Coordinates", "", {}, 3, {}};
   Uniform uniform(7);
   for (int i = 0; i < count; ++i) {
     snapshot.id.push_back(i + 1);

@@ -8,7 +8,7 @@ namespace sphk {
 namespace {
 
 // Noh (1987), gamma 5/3: rho = 4^D behind r = t/3, (1 + t/r)^(D-1) ahead; P = (gamma-1) rho u with u = 1/2.
-TEST(Noh, ExactSolution) {
+TEST(Noh, HasItsExactSolution) {
   const double behind[] = {4, 16, 64}, ahead[] = {1, 3, 9};  // ahead at r = t/2
   for (int D = 1; D <= 3; ++D) {
     const auto exact = noh_scene().exact(settings_of(noh_scene(), {{"scene.dimension", std::to_string(D)}}));
@@ -52,7 +52,7 @@ TEST(Noh, ParticlesFillTheUnitBall) {
   }
 }
 
-TEST(Noh, ErrorsOfTheExactSolution) {
+TEST(Noh, TheExactSolutionHasNoErrors) {
   const Settings settings = settings_of(noh_scene(), {{"scene.n", "50"}, {"scene.dimension", "1"}});
   const auto errors = noh_scene().errors(settings, exact_snapshot(noh_scene(), settings, 0.6));
   EXPECT_EQ(errors.at("rho_particles").linf, 0);
@@ -69,7 +69,7 @@ TEST(Noh, MeasuresScatterAndWallHeating) {
     Snapshot snapshot = snapshot_of(gas, 1.2, [&](const Array3& x) {
       return GasState{std::pow(4, D) * (x[0] < 0 ? 0.9 : 1.1), {}, 1};
     });
-    Field u{.name = "InternalEnergies"};
+    Field u{"InternalEnergies", "", {}, 1, {}};
     for (const Array3& x : gas.x) u.values.push_back(std::hypot(x[0], x[1], x[2]) < 0.04 ? 0.6 : 0.5);
     snapshot.fields.push_back(u);
     for (const double hole : {0.0, 0.1}) {

@@ -44,7 +44,7 @@ TEST(Riemann, EqualsPublishedSolutions) {
   }
 }
 
-TEST(Riemann, ShockSpeedsOfTheTubes) {
+TEST(Riemann, HasTheShockSpeedsOfTheTubes) {
   const double expected[] = {1.84447, 1.75216, 1.55476};
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(RiemannSolution(tubes[k].left, tubes[k].right, tubes[k].gamma).right_front(), expected[k], 6e-6);

@@ -42,7 +42,7 @@ TEST(Sedov, ExactSolutionPointsOutwards) {
   EXPECT_TRUE(std::isfinite(exact({0, 0, 0}, 0.05).rho));
 }
 
-TEST(Sedov, ErrorsOfTheExactSolution) {
+TEST(Sedov, TheExactSolutionHasNoErrors) {
   const Settings settings = settings_of(sedov_scene(), {{"scene.n", "32"}});
   const auto snapshot = exact_snapshot(sedov_scene(), settings, 0.05);
   EXPECT_EQ(sedov_scene().errors(settings, snapshot).at("rho_particles").linf, 0);

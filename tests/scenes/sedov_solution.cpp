@@ -10,7 +10,7 @@ namespace sphk {
 namespace {
 
 // S12 eq 47 prints 1.15 for gamma 5/3.
-TEST(SedovSolution, ShockRadius) {
+TEST(SedovSolution, HasItsShockRadius) {
   const SedovSolution solution(3, 5.0 / 3);
   EXPECT_NEAR(solution.shock_radius(1, 1, 1), 1.15, 0.005);
   EXPECT_NEAR(solution.shock_radius(3, 2, 0.5) / solution.shock_radius(1, 1, 1), std::pow(3 * 0.25 / 2, 0.2), 1e-14);
@@ -18,7 +18,7 @@ TEST(SedovSolution, ShockRadius) {
 
 // Strong shock: rho = (gamma+1)/(gamma-1) rho_0, v = 2/(gamma+1) dR/dt, P = 2/(gamma+1) rho_0 (dR/dt)^2, and dR/dt is
 // 2R/(5t).
-TEST(SedovSolution, JumpAtTheShock) {
+TEST(SedovSolution, ObeysTheJumpConditions) {
   const double E = 1, rho = 1, t = 0.05;
   const SedovSolution solution(3, 5.0 / 3);
   const double R = solution.shock_radius(E, rho, t), speed = 2 * R / (5 * t);

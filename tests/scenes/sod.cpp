@@ -73,7 +73,7 @@ TEST(Sod, MultimassTubeIsEvenlySpaced) {
 }
 
 // V10 table 2: u = 1.5 and 1.
-TEST(Sod, V10sEnergies) {
+TEST(Sod, HasV10sEnergies) {
   const auto gas = sod_scene().build(settings_of(sod_scene(), {{"scene.variant", "v10"}, {"scene.lattice", "cubic"}}));
   EXPECT_NEAR(gas.u.front(), 1.5, 1e-14);
   EXPECT_NEAR(gas.u.back(), 1, 1e-14);
@@ -97,7 +97,7 @@ TEST(Sod, ExactSolutionHasItsMirrorImage) {
 }
 
 // Bins are compared at their centre: exact particles leave only the bins with a jump or a bend, and nothing each.
-TEST(Sod, ErrorsOfTheExactSolution) {
+TEST(Sod, TheExactSolutionHasNoErrors) {
   const Settings settings = settings_of(sod_scene(), {{"scene.lattice", "cubic"}});
   const auto errors = sod_scene().errors(settings, exact_snapshot(sod_scene(), settings, 0.2));
   EXPECT_EQ(errors.at("v_particles").l1, 0);

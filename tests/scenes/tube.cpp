@@ -62,7 +62,7 @@ TEST(Tube, WallsAreMirrors) {
   EXPECT_FALSE(open.box.periodic[0]);
 }
 
-TEST(Tube, OfThreeDimensionsHasTheSameDensity) {
+TEST(Tube, HasTheSameDensityInThreeDimensions) {
   const auto gas =
       tube_scene().build(tube("blast", {{"scene.n", "16"}, {"scene.dimension", "3"}, {"scene.across", "4"}}));
   EXPECT_EQ(gas.size(), 2u * 16 * 4 * 4);

@@ -10,7 +10,7 @@
 #include "src/schemes/registry.hpp"
 #include "src/stability/verdict.hpp"
 
-namespace sphk::test {
+namespace sphk {
 namespace {
 
 constexpr double gamma_gas = 5.0 / 3;
@@ -30,7 +30,7 @@ class Minima : public testing::TestWithParam<Case> {};
 
 /// Minima of omega^2/(k^2 c^2) for kappa up to pi by an independent computation, to the digits that are given, of which
 /// some were cut and not rounded; h, too, has two digits after the point.
-TEST_P(Minima, are_those_of_the_table) {
+TEST_P(Minima, AreThoseOfTheTable) {
   const auto& [name, kernel, h, longitudinal, transverse] = GetParam();
   const Lattice& lattice = find_lattice(name);
   const auto least_at = [&](double support) { return least_waves(lattice, kernel, support, gamma_gas, 400); };
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Lattices, Minima,
 
 /// Long waves are sound waves along k and nothing across it, on every lattice: to (k h)^2 and to the error of the
 /// kernel's sums, which is small for many neighbours.
-TEST(Dispersion, of_long_waves_is_that_of_sound) {
+TEST(Dispersion, OfLongWavesIsThatOfSound) {
   for (const Lattice& lattice : lattices()) {
     const double h = lattice.dimension == 1 ? 6 : 5;
     const WaveModes modes = Dispersion(lattice, "wc6", h, gamma_gas).at({0.02, 0, 0});
@@ -65,7 +65,7 @@ TEST(Dispersion, of_long_waves_is_that_of_sound) {
 
 /// hcp with two particles a cell, against the same arrangement with its cell doubled along one edge: the waves of the
 /// small cell are among those of the large one.
-TEST(Dispersion, does_not_depend_on_the_choice_of_the_cell) {
+TEST(Dispersion, DoesNotDependOnTheChoiceOfTheCell) {
   const Lattice& hcp = find_lattice("hcp");
   Lattice doubled = hcp;
   for (const Array3& x : hcp.basis)
@@ -79,7 +79,7 @@ TEST(Dispersion, does_not_depend_on_the_choice_of_the_cell) {
   EXPECT_LE(twice.relative, once.relative + 1e-9) << "more particles a cell, more ways to move";
 }
 
-TEST(Dispersion, names_lattices_and_kernels) {
+TEST(Dispersion, RefusesUnknownLatticesAndKernels) {
   EXPECT_THROW(find_lattice("cubical"), InputError);
   EXPECT_THROW(Dispersion(find_lattice("cubic"), "no such kernel", 2, gamma_gas), std::invalid_argument);
 }
@@ -120,7 +120,7 @@ double grown(const Array3& push, double neighbours, double end) {
 
 /// A transverse wave that the map calls unstable leaves the lattice as cosh(sigma t), sigma^2 = -omega^2; h hardly
 /// changes in such a wave, as the map assumes. The faster of the two polarisations is the map's.
-TEST(Dispersion, predicts_how_a_run_leaves_an_unstable_lattice) {
+TEST(Dispersion, PredictsHowARunLeavesAnUnstableLattice) {
   const double neighbours = 128, kappa = std::numbers::pi / 2;
   const WaveModes modes =
       Dispersion(find_lattice("cubic"), "cs", lattice_support(neighbours, 3), gamma_gas).at({kappa, kappa, 0});
@@ -132,4 +132,4 @@ TEST(Dispersion, predicts_how_a_run_leaves_an_unstable_lattice) {
 }
 
 }  // namespace
-}  // namespace sphk::test
+}  // namespace sphk

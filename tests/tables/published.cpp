@@ -59,7 +59,7 @@ TEST(Published, HoctParametersAreR10s) {
 }
 
 // Half of the integral of q^2 w of (1-q)^2 (Johnson), 1/60 of q^3/3 - q^4/2 + q^5/5, as a polynomial's root.
-TEST(Published, HalfMassRadiusOfAPolynomial) {
+TEST(Published, HalfMassRadiusIsThatOfAPolynomial) {
   const double q = half_mass_radius("johnson");
   EXPECT_NEAR(std::pow(q, 3) / 3 - std::pow(q, 4) / 2 + std::pow(q, 5) / 5, 1.0 / 60, 1e-7);
 }
