@@ -1,13 +1,11 @@
+// A weak standing wave in a periodic tube, by the default scheme, through the library.
 #include <Kokkos_Core.hpp>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <sphk.hpp>
 
-// A weak standing wave in a periodic tube: ten steps of the default scheme, through the library.
-int main(int argc, char** argv) {
-  const Kokkos::ScopeGuard kokkos(argc, argv);
-  constexpr int n = 100;
+sphk::ParticleSet wave(int n) {
   sphk::ParticleSet gas;
   gas.dimension = 1;
   gas.box.periodic = {true, false, false};
@@ -18,13 +16,16 @@ int main(int argc, char** argv) {
     gas.m.push_back(1.0 / n);
     gas.u.push_back(1.0);
   }
-  sphk::SimulationSettings settings;
-  settings.neighbours = 4;
-  const auto simulation = sphk::make_simulation(gas, settings);
-  const double energy = simulation->totals().energy();
-  for (int k = 0; k < 10; ++k) simulation->step(1.0);
-  const double drift = std::abs(simulation->totals().energy() / energy - 1);
-  std::printf("time %g, energy drift %g\n", simulation->time(), drift);
-  return simulation->time() > 0 && drift < 2.5e-5 ? 0
-                                                  : 1;  // less than the wave's share of the energy, <v^2>/2 = 2.5e-5
+  return gas;
+}
+
+int main(int argc, char** argv) {
+  const Kokkos::ScopeGuard kokkos(argc, argv);  // the library never initialises Kokkos
+  const auto run = sphk::make_simulation(wave(100), {.scheme = "gadget2", .numbers = {{"viscosity.alpha", 0.5}}});
+  const double energy = run->totals().energy();
+  while (run->time() < 0.1) run->step(0.1);
+  const sphk::Snapshot end = run->snapshot();
+  const double drift = std::abs(run->totals().energy() / energy - 1);
+  std::printf("time %g, %zu particles, energy drift %g\n", end.time, end.size(), drift);
+  return drift < 2.5e-5 ? 0 : 1;  // less than the wave's share of the energy, <v^2>/2 = 2.5e-5
 }

@@ -4,6 +4,7 @@
 
 #include "src/cli/commands.hpp"
 #include "src/run/dry_run.hpp"
+#include "src/schemes/registry.hpp"
 
 namespace sphk {
 
@@ -12,6 +13,21 @@ namespace {
 std::string rough_text(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", std::max(1.0, seconds));
   return seconds < 3600 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// "cs 5, cs 20, cs 48": the pairs of a scheme in 1D, 2D and 3D.
+std::string usual_pairs(const SchemeFacts& scheme) {
+  std::vector<std::string> pairs;
+  for (const KernelChoice& pair : scheme.usual) pairs.push_back(fmt::format("{} {:g}", pair.kernel, pair.neighbours));
+  return fmt::format("{}", fmt::join(pairs, ", "));
+}
+
+void print_schemes() {
+  fmt::print("\n{:<18} {:<28} {}\n", "scheme", "usual kernel in 1D, 2D, 3D", "what it is");
+  for (const std::string& name : scheme_names()) {
+    const SchemeFacts& scheme = scheme_facts(name, compiled_schemes());
+    fmt::print("{:<18} {:<28} {}\n", name, usual_pairs(scheme), scheme.summary);
+  }
 }
 
 }  // namespace
@@ -25,6 +41,7 @@ int list_command() {
     fmt::print("{:<15} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
                "~" + rough_text(rough_seconds(particles, settings)), scene->summary());
   }
+  print_schemes();
   fmt::print(
       "\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "
       "measures.\n`sphk show SCENE` tells what a scene computes and its keys.\n");

@@ -46,6 +46,9 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
              particles.box.size[0], particles.box.size[1], particles.box.size[2]);
   fmt::print("  {:<12} {}, kernel {}{}, {:g} neighbours, {} precision\n", "scheme", d.scheme, d.kernel,
              d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
+  const SchemeFacts& facts = scheme_facts(d.scheme, compiled_schemes());
+  print_list("", {facts.summary}, "");
+  if (facts.differs) print_list("differs", {std::string("from the paper: ") + facts.differs}, "");
   print_list("passes", d.passes, " -> ");
   print_list("terms", d.terms, next_line);
   print_list("fields", wrapped(d.fields), next_line);

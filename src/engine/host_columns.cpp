@@ -34,12 +34,12 @@ std::string singular_name(const FieldFacts& facts) {
   return facts.singular ? facts.singular : facts.name;
 }
 
-HostRows::HostRows(const ColumnNumbers& numbers, int row_length, const Ids& of, int dimensions, double adiabatic_index)
+HostRows::HostRows(const ColumnNumbers& numbers, int row_length, const Ids& of, int dimensions, double index)
     : order(of.extent(0)),
       data(on_host(numbers)),
       stride(static_cast<std::size_t>(row_length)),
       dimension(dimensions),
-      gamma(adiabatic_index) {
+      gamma(index) {
   const auto host_ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, of);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return host_ids(a) < host_ids(b); });

@@ -13,6 +13,9 @@ namespace sphk {
 
 namespace {
 
+/// The variant of Valcke et al.
+constexpr const char* valckes = "v10";
+
 /// A shock tube and its particles: dense gas in [-1, 0), thin gas in [0, 1), periodic, so that a mirror image of the
 /// jump stands at x = +-1.
 struct Tube {
@@ -29,7 +32,7 @@ Counts thin_counts(const Counts& dense, int density_ratio, bool only_along) {
 
 Tube tube_of(const Settings& settings) {
   const std::string& variant = settings.text("scene.variant");
-  const bool v10 = variant == "v10";
+  const bool v10 = variant == valckes;
   const int D = scene_dimension(settings), own_dimension = v10 ? 2 : 3;
   if (D != 1 && D != own_dimension)
     throw InputError(fmt::format("scene.dimension = {}: the tube \"{}\" is made for {} dimensions, or 1", D, variant,
@@ -99,9 +102,9 @@ class Sod : public Scene {
   }
   void adapt(Settings& settings) const override {
     const std::string& variant = settings.text("scene.variant");
-    prefer_unless_set(settings, "scene.dimension", std::int64_t{variant == "v10" ? 2 : 3});
+    prefer_unless_set(settings, "scene.dimension", std::int64_t{variant == valckes ? 2 : 3});
     prefer_unless_set(settings, "sph.gamma", variant == "r10" ? 1.4 : 5.0 / 3);
-    if (variant == "v10") prefer_as_v10(settings);
+    if (variant == valckes) prefer_as_v10(settings);
   }
 
   ParticleSet build(const Settings& settings) const override {
