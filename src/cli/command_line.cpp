@@ -190,10 +190,14 @@ void add_gallery(CLI::App& root, Options& o) {
 void add_extremes(CLI::App& root, Options& o) {
   CLI::App& app =
       *root.add_subcommand("extremes", "stiff and extreme runs: what is required of each, and what came out");
-  app.add_option("cases", o.scenes, "only these cases");
+  app.add_option("cases", o.scenes, "only these cases, or files of cases (*.toml)");
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
-  app.footer("Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two");
+  app.footer(
+      "Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n"
+      "  sphk extremes mine.toml\n\nA file of cases has a list [[case]], each with name, scene, summary, its keys under "
+      "[case.set] and its bounds under\n[case.require]; those of the command are such files, in "
+      "share/sphk/studies/extremes.");
 }
 
 void add_tables(CLI::App& root, Options& o) {

@@ -64,7 +64,7 @@ struct StudyOptions {
 
 struct ExtremesOptions {
   std::optional<std::filesystem::path> out;
-  std::vector<std::string> cases;  ///< empty: all
+  std::vector<std::string> cases;  ///< names, or files (*.toml); without names: all
   int threads = 0;                 ///< of each run; 0: what OpenMP gives
 };
 

@@ -4,12 +4,13 @@
 
 #include "src/cli/child.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/extreme_outcomes.hpp"
+#include "src/cli/platform.hpp"
 #include "src/cli/stop_signal.hpp"
-#include "src/cli/trials.hpp"
 #include "src/engine/errors.hpp"
+#include "src/io/reader.hpp"
 #include "src/report/table.hpp"
 #include "src/report/text_file.hpp"
+#include "src/study/extreme_run.hpp"
 #include "src/study/extremes.hpp"
 
 namespace sphk {
@@ -20,67 +21,119 @@ namespace {
 
 constexpr const char* longest = "600";  // wall-clock seconds that a case may take
 
-/// What a case comes to; an error ends it alone.
-std::vector<Outcome> outcomes_of(const Trial& one, const Workshop& shop) {
+/// What a requirement came to.
+struct Outcome {
+  std::string required, found;
+  bool passed = false;
+};
+
+/// `sphk run` with these words; throws what it ends with where that is an error.
+void run_sphk(std::vector<std::string> words, const fs::path& folder, int threads) {
+  words.insert(words.begin(), "run");
+  words.insert(words.end(), {"--out", folder.string(), "--overwrite", "--set", "output.snapshots=1"});
+  if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
+  const fs::path log = folder.string() + ".log";
+  const int code = run_child(words, log);
+  if (code == ExitCode::stopped) throw NumericsError(fmt::format("not in {} s", longest));
+  if (code != ExitCode::done) throw NumericsError(reason_of(code, log));
+}
+
+/// Does a key say how the gas moves, and not where it starts or what is written?
+bool is_of_engine(const std::string& key) {
+  if (key == "time.end" || key == "time.max_steps") return false;
+  return !key.starts_with("scene.") && !key.starts_with("ic.") && !key.starts_with("output.");
+}
+
+/// How far one thread and two get apart in three steps after the run.
+Quantity threads_apart(const FinishedRun& run) {
+  const fs::path start = run.folder / "snap_0001.hdf5";
+  const double end = 2 * read_particles(start).particles.time;
+  std::vector<std::string> words{start.string(), "--steps", "3", "--t-end", fmt::format("{}", end)};
+  for (const Key& key : run.settings.keys())
+    if (is_of_engine(key.name)) {
+      const auto* text = std::get_if<std::string>(&key.value);
+      words.insert(words.end(), {"--set", key.name + "=" + (text ? *text : to_text(key.value))});
+    }
+  run_sphk(words, run.folder / "threads_1", 1);
+  run_sphk(words, run.folder / "threads_2", 2);
+  return {difference(run.folder / "threads_1" / "snap_0001.hdf5", run.folder / "threads_2" / "snap_0001.hdf5"), ""};
+}
+
+Outcome outcome_of(const Requirement& requirement, const FinishedRun& run) {
   try {
-    return one.perform(shop);
+    const Quantity found =
+        requirement.quantity == "threads" ? threads_apart(run) : quantity_of(requirement.quantity, run);
+    return {requirement.text(), fmt::format("{:.2g}{}{}", found.value, found.where.empty() ? "" : ": ", found.where),
+            requirement.met_by(found.value)};
   } catch (const std::exception& error) {
-    return {{"no error", error.what(), false}};
+    return {requirement.text(), error.what(), false};
   }
+}
+
+std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
+  std::vector<std::string> words{one.scene, "--walltime", longest};
+  for (const auto& [key, value] : one.keys) words.insert(words.end(), {"--set", key + "=" + value});
+  try {
+    run_sphk(words, folder, threads);
+  } catch (const std::exception& error) {
+    return {{"finishes", error.what(), false}};
+  }
+  const Problem problem = resolve_problem((folder / "scene.used.toml").string(), {});
+  std::vector<Outcome> outcomes;
+  for (const Requirement& requirement : one.requirements)
+    outcomes.push_back(outcome_of(requirement, {folder, *problem.scene, problem.settings}));
+  return outcomes;
+}
+
+/// The cases of the files that are named, or of those that come with sphk; of these the ones that are named, or all.
+std::vector<ExtremeCase> wanted_cases(const std::vector<std::string>& words) {
+  const KnownKeys known = [](const std::string& scene) { return resolve_problem(scene, {}).settings; };
+  std::vector<std::string> names;
+  std::vector<ExtremeCase> cases;
+  for (const std::string& word : words)
+    if (word.ends_with(".toml"))
+      std::ranges::move(read_extremes(word, known), std::back_inserter(cases));
+    else
+      names.push_back(word);
+  if (names.size() == words.size()) cases = extremes_in(shared_folder() / "studies" / "extremes", known);
+  std::vector<std::string> there;
+  for (const ExtremeCase& one : cases) there.push_back(one.name);
+  for (const std::string& name : names)
+    if (std::ranges::find(there, name) == there.end())
+      throw InputError(fmt::format("there is no case \"{}\"; known are {}", name, fmt::join(there, ", ")));
+  std::erase_if(cases, [&](const ExtremeCase& one) {
+    return !names.empty() && std::ranges::find(names, one.name) == names.end();
+  });
+  return cases;
 }
 
 }  // namespace
 
-std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
-  std::vector<std::string> words{"run",        one.scene, "--out", folder.string(),     "--overwrite",
-                                 "--walltime", longest,   "--set", "output.snapshots=1"};
-  for (const auto& [key, value] : one.keys) words.insert(words.end(), {"--set", key + "=" + value});
-  if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
-  const fs::path log = folder.string() + ".log";
-  const int code = run_child(words, log);
-  if (code == ExitCode::stopped) return {{"finishes", fmt::format("not in {} s", longest), false}};
-  if (code != ExitCode::done) return {{"finishes", reason_of(code, log), false}};
-  return outcomes_of(one, folder);
-}
-
 int extremes_command(const ExtremesOptions& options) {
-  std::vector<Trial> wanted;
-  for (const ExtremeCase& one : extreme_cases())
-    wanted.push_back({one.name, one.setup, [&one](const Workshop& w) { return perform(one, w.folder, w.threads); }});
-  wanted.insert(wanted.end(), further_trials().begin(), further_trials().end());
-  for (const std::string& name : options.cases)
-    if (std::ranges::find(wanted, name, &Trial::name) == wanted.end()) {
-      std::vector<std::string> names;
-      for (const Trial& one : wanted) names.push_back(one.name);
-      throw InputError(fmt::format("there is no case \"{}\"; known are {}", name, fmt::join(names, ", ")));
-    }
-  std::erase_if(wanted, [&](const Trial& one) {
-    return !options.cases.empty() && std::ranges::find(options.cases, one.name) == options.cases.end();
-  });
+  const std::vector<ExtremeCase> cases = wanted_cases(options.cases);
   const fs::path folder = options.out.value_or("extremes");
   fs::create_directories(folder);
   catch_stop_signals();
   Table table{{"case", "setup", "required", "found", ""}, {}, {0, 1, 2, 3, 4}};
-  int failures = 0;
-  for (const Trial& one : wanted) {
+  std::size_t passes = 0;
+  for (const ExtremeCase& one : cases) {
     fmt::print("{} ...", one.name);
     std::fflush(stdout);
-    fs::create_directories(folder / one.name);
-    const std::vector<Outcome> outcomes = outcomes_of(one, {folder / one.name, options.threads});
+    const std::vector<Outcome> outcomes = perform(one, folder / one.name, options.threads);
     if (stop_requested()) return ExitCode::stopped;
     const bool passed = std::ranges::all_of(outcomes, &Outcome::passed);
-    failures += !passed;
+    passes += passed;
     fmt::print(" {}\n", passed ? "pass" : "FAIL");
     for (const Outcome& outcome : outcomes) {
       const bool first = &outcome == &outcomes.front();
-      table.rows.push_back({first ? one.name : "", first ? one.setup : "", outcome.required, outcome.found,
+      table.rows.push_back({first ? one.name : "", first ? one.summary : "", outcome.required, outcome.found,
                             outcome.passed ? "pass" : "FAIL"});
     }
   }
   const std::string text = table.text();
-  fmt::print("\n{}\n{} of {} cases pass\n", text, wanted.size() - static_cast<std::size_t>(failures), wanted.size());
+  fmt::print("\n{}\n{} of {} cases pass\n", text, passes, cases.size());
   write_text(folder / "extremes.txt", text);
-  return failures == 0 ? ExitCode::done : ExitCode::numerics;
+  return passes == cases.size() ? ExitCode::done : ExitCode::numerics;
 }
 
 }  // namespace sphk

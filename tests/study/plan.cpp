@@ -6,9 +6,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/scenes/scene.hpp"
-#include "src/study/extremes.hpp"
 #include "src/study/gallery.hpp"
-#include "src/study/odd_cases.hpp"
 #include "src/study/others.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -123,27 +121,6 @@ TEST(Gallery, ShowsEveryScene) {
   for (const GalleryTile& tile : gallery_tiles()) shown.push_back(tile.scene);
   for (const Scene* scene : scenes()) all.push_back(scene->name());
   EXPECT_EQ(shown, all);
-}
-
-TEST(Extremes, AreOfScenesAndHaveBounds) {
-  std::set<std::string> names;
-  for (const ExtremeCase& one : extreme_cases()) {
-    EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    EXPECT_NO_THROW(find_scene(one.scene)) << one.name;
-    EXPECT_FALSE(one.requirements.empty()) << one.name;
-    for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.below, 0) << one.name;
-  }
-}
-
-TEST(OddArrangements, AreRunByTwoSchemesWithBothKindsOfSteps) {
-  std::set<std::string> names;
-  for (const OddArrangement& odd : odd_arrangements()) {
-    EXPECT_EQ(odd.cases.size(), 4u) << odd.name;
-    for (const ExtremeCase& one : odd.cases) {
-      EXPECT_TRUE(names.insert(one.name).second) << one.name;
-      EXPECT_EQ(one.scene, "odd");
-    }
-  }
 }
 
 TEST_F(StudyPlans, TakeOtherEnginesFromCsv) {
