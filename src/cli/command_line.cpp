@@ -195,7 +195,8 @@ void add_extremes(CLI::App& root, Options& o) {
   app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
   app.footer(
       "Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n"
-      "  sphk extremes mine.toml\n\nA file of cases has a list [[case]], each with name, scene, summary, its keys under "
+      "  sphk extremes mine.toml\n\nA file of cases has a list [[case]], each with name, scene, summary, its keys "
+      "under "
       "[case.set] and its bounds under\n[case.require]; those of the command are such files, in "
       "share/sphk/studies/extremes.");
 }

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Columns that no run may spoil.
 constexpr const char* columns[] = {"Coordinates",      "Velocities", "Masses",   "Densities",
                                    "InternalEnergies", "Pressures",  "Entropies"};
@@ -71,27 +69,26 @@ double front_distance(const FinishedRun& run) {
   return std::abs(found - place) / h;
 }
 
+double pairs_of_an_update(const FinishedRun& run) {
+  std::ifstream file(run.folder / "run.json");
+  const auto json = nlohmann::json::parse(file);
+  return json["pair_interactions"].get<double>() / (json["updates"].get<double>() * json["neighbours"].get<double>());
+}
+
 }  // namespace
 
 Quantity quantity_of(const std::string& name, const FinishedRun& run) {
   if (name == "unsound") return unsound_numbers(run);
   if (name == "front") return {front_distance(run), ""};
-  std::ifstream file(run.folder / "run.json");
-  const Json json = Json::parse(file);
-  if (json["conservation"].contains(name)) return {json["conservation"][name], ""};
-  if (name == "pairs")
-    return {json["pair_interactions"].get<double>() /
-                (json["updates"].get<double>() * json["neighbours"].get<double>()),
-            ""};
-  if (const std::string field = name.substr(name.starts_with("l1_") ? 3 : name.size()); json["errors"].contains(field))
-    return {json["errors"][field]["l1"], ""};
+  if (name == "pairs") return {pairs_of_an_update(run), ""};
   const HistoryRow row = read_history(run.folder / "history.csv").back();
-  if (row.contains(name)) return {row.at(name), ""};
-  std::string known;
-  for (const auto& [column, value] : row) known += ", " + column;
-  throw InputError(fmt::format(
-      "the run has no number \"{}\"; there are unsound, threads, front, pairs, energy, momentum, l1_v, ...{}", name,
-      known));
+  for (const std::string& column : {name, name + "_drift"})
+    if (row.contains(column)) return {row.at(column), ""};
+  Settings known;
+  for (const std::string one : {"unsound", "threads", "front", "pairs", "energy", "momentum", "angular_momentum"})
+    known.declare({.name = one, .value = 0.0, .doc = "", .choices = {}});
+  for (const auto& [one, value] : row) known.declare({.name = one, .value = 0.0, .doc = "", .choices = {}});
+  throw InputError(fmt::format("no number \"{}\"; did you mean \"{}\"?", name, known.nearest(name)));
 }
 
 double difference(const fs::path& one, const fs::path& other) {

@@ -20,11 +20,11 @@ struct Quantity {
   std::string where;
 };
 
-/// Of run.json: "energy", "momentum", "angular_momentum" and "mass" (relative drifts), "l1_v" and the like (error
-/// norms), "pairs" (of an update, over the neighbour number). Of the last row of history.csv: a measure of the scene, or
-/// any other column. Of the last snapshot: "front" (distance of the foremost shock from its place, in support radii of
-/// the gas ahead). Of history and snapshot: "unsound" (numbers that are not finite, or not positive where they have to
-/// be). Throws InputError where there is no such number.
+/// Of history.csv, in its last row: a column ("l1_v", a measure of the scene, ...), or what a column with _drift behind
+/// its name holds ("energy", "momentum", "angular_momentum"). Of run.json: "pairs" (of an update, over the neighbour
+/// number). Of the last snapshot: "front" (distance of the foremost shock from its place, in support radii of the gas
+/// ahead). Of history and snapshot: "unsound" (numbers that are not finite, or not positive where they have to be).
+/// Throws InputError where there is no such number.
 Quantity quantity_of(const std::string& name, const FinishedRun& run);
 
 /// Largest difference of two snapshots, over the largest number of the same column.

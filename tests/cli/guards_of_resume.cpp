@@ -32,8 +32,9 @@ class Resume : public Executable {
  protected:
   /// A run of 8^3 particles that is stopped after its first step, with a checkpoint.
   void stop_a_run(const std::string& out, const std::string& dimension = "3") const {
-    expect(lattice + "--set output.checkpoint=1e-9 --walltime 0.001 --set scene.dimension=" + dimension + " --out " + out,
-           stopped, {"sphk run --resume"});
+    expect(
+        lattice + "--set output.checkpoint=1e-9 --walltime 0.001 --set scene.dimension=" + dimension + " --out " + out,
+        stopped, {"sphk run --resume"});
   }
 };
 
