@@ -194,11 +194,9 @@ void add_extremes(CLI::App& root, Options& o) {
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
   app.footer(
-      "Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n"
-      "  sphk extremes mine.toml\n\nA file of cases has a list [[case]], each with name, scene, summary, its keys "
-      "under "
-      "[case.set] and its bounds under\n[case.require]; those of the command are such files, in "
-      "share/sphk/studies/extremes.");
+      "A file of cases has a list [[case]], each with name, scene, summary, keys under [case.set] and bounds under "
+      "[case.require];\nthose that come with sphk are such files, in share/sphk/studies/extremes. Exit code 3 where a "
+      "case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n  sphk extremes mine.toml");
 }
 
 void add_tables(CLI::App& root, Options& o) {

@@ -40,10 +40,10 @@ TEST_F(Extremes, OfAFileAreRunAndHeldAgainstTheirBounds) {
 TEST_F(Extremes, ThatMissABoundOrDoNotFinishEndWithCode3) {
   write(std::string(still) +
         "[[case]]\nname = \"bound\"\nrequire.max_rho.above = 2\n"
-        "[[case]]\nname = \"unknown\"\nrequire.l1_w.below = 1\n"
+        "[[case]]\nname = \"unknown\"\nrequire.nearst.below = 1\n"
         "[[case]]\nname = \"stuck\"\nset.sph.neighbours = 1\n");
   expect("extremes mine.toml", 3,
-         {"still ... pass", "bound ... FAIL", "unknown ... FAIL", "no number \"l1_w\"; did you mean \"l1_v\"?",
+         {"still ... pass", "bound ... FAIL", "unknown ... FAIL", "no number \"nearst\"; did you mean \"nearest\"?",
           "stuck ... FAIL", "the particle itself", "1 of 4 cases pass"});
   expect("extremes mine.toml still", 0, {"1 of 1 cases pass"});
   expect("extremes mine.toml stil", 2, {"there is no case \"stil\"; known are still, bound, unknown, stuck"});
