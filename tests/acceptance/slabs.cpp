@@ -91,14 +91,14 @@ TEST_P(Slabs, HaveTheRatesOfTheGasLaidOutSideBySide) {
 
 // Supports of 442 neighbours are 9.5 spacings wide.
 INSTANTIATE_TEST_SUITE_P(OfLayers, Slabs,
-                         testing::Values(Slab{"8 layers", "gadget2", {16, 16, 8}, {1, 1, 2}},
-                                         Slab{"4 layers", "gadget2", {16, 16, 4}, {1, 1, 3}},
-                                         Slab{"2 layers", "gadget2", {16, 16, 2}, {1, 1, 5}},
-                                         Slab{"1 layer", "gadget2", {16, 16, 1}, {1, 1, 10}},
-                                         Slab{"8 layers", "sphs", {16, 16, 8}, {1, 1, 2}},
-                                         Slab{"4 layers", "sphs", {16, 16, 4}, {1, 1, 3}},
-                                         Slab{"2 layers", "sphs", {16, 16, 2}, {1, 1, 5}},
-                                         Slab{"1 layer", "sphs", {16, 16, 1}, {1, 1, 10}}));
+                         testing::Values(Slab{"8 layers", "gadget2", {12, 12, 8}, {1, 1, 2}},
+                                         Slab{"4 layers", "gadget2", {12, 12, 4}, {1, 1, 3}},
+                                         Slab{"2 layers", "gadget2", {12, 12, 2}, {1, 1, 5}},
+                                         Slab{"1 layer", "gadget2", {12, 12, 1}, {1, 1, 10}},
+                                         Slab{"8 layers", "sphs", {12, 12, 8}, {1, 1, 2}},
+                                         Slab{"4 layers", "sphs", {12, 12, 4}, {1, 1, 3}},
+                                         Slab{"2 layers", "sphs", {12, 12, 2}, {1, 1, 5}},
+                                         Slab{"1 layer", "sphs", {12, 12, 1}, {1, 1, 10}}));
 INSTANTIATE_TEST_SUITE_P(OfLines, Slabs,
                          testing::Values(Slab{"1000:1:1", "gadget2", {1000, 1, 1}, {1, 10, 10}},
                                          Slab{"1000:1:1", "sphs", {1000, 1, 1}, {1, 10, 10}}));
