@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "src/scenes/scenes.hpp"
+#include "src/scenes/scene.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/scenes/engine_keys.hpp"
 
@@ -34,7 +34,8 @@ class OddArrangements : public testing::TestWithParam<Arrangement> {};
 TEST_P(OddArrangements, GoOnWithSoundNumbers) {
   const auto& [problem, scheme, individual] = GetParam();
   constexpr double end = 0.1;
-  const ParticleSet gas = odd_scene().build(settings_of(odd_scene(), {{"scene.problem", problem}}));
+  const Scene& odd = find_scene("odd");
+  const ParticleSet gas = odd.build(settings_of(odd, {{"scene.problem", problem}}));
   const auto run = make_simulation(gas, settings_for(scheme, individual));
   const Totals start = run->totals();
   while (run->time() < end) {
