@@ -157,10 +157,13 @@ void add_gallery(CLI::App& root, Options& o) {
 void add_extremes(CLI::App& root, Options& o) {
   CLI::App& app =
       *root.add_subcommand("extremes", "stiff and extreme runs: what is required of each, and what came out");
-  app.add_option("cases", o.scenes, "only these cases");
+  app.add_option("cases", o.scenes, "only these cases, or files of cases (*.toml)");
   add_threads(app, o);
   app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
-  app.footer("Exit code 3 where a case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two");
+  app.footer(
+      "A file of cases has a list [[case]], each with name, scene, summary, keys under [case.set] and bounds under "
+      "[case.require];\nthose that come with sphk are such files, in share/sphk/studies/extremes. Exit code 3 where a "
+      "case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n  sphk extremes mine.toml");
   acts(app, o, [&o] { return extremes_command({path_of(o.out), o.scenes, o.threads}); });
 }
 

@@ -9,6 +9,7 @@
 #include "src/run/plot.hpp"
 #include "src/run/rates.hpp"
 #include "src/run/run.hpp"
+#include "src/study/extreme_table.hpp"
 #include "src/study/gallery.hpp"
 #include "src/study/study_request.hpp"
 
@@ -27,12 +28,6 @@ struct StabilityOptions {
   std::optional<std::filesystem::path> out;  ///< folder of the maps
 };
 
-struct ExtremesOptions {
-  std::optional<std::filesystem::path> out;
-  std::vector<std::string> cases;  ///< empty: all
-  int threads = 0;                 ///< of each run; 0: what OpenMP gives
-};
-
 struct TablesOptions {
   std::optional<std::filesystem::path> out;  ///< folder of CSV files and the kernels' figure
 };
@@ -49,7 +44,7 @@ int stability_command(const StabilityOptions& options);
 int study_command(const StudyRequest& request);
 int gallery_command(const GalleryRequest& request);
 /// Stiff and extreme runs, and whether they keep within their bounds.
-int extremes_command(const ExtremesOptions& options);
+int extremes_command(const ExtremesRequest& request);
 /// Two studies, point by point: ratios of errors and CPU seconds, and what got worse. Files, or the folders of studies.
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm);

@@ -15,9 +15,4 @@ struct NumericsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A device or its memory failed us (exit code 4).
-struct DeviceError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 }  // namespace sphk

@@ -1,226 +1,128 @@
 #include "src/study/extremes.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/engine/errors.hpp"
+#include "src/run/toml_file.hpp"
+#include "src/study/toml_values.hpp"
+
 namespace sphk {
+
+namespace fs = std::filesystem;
 
 namespace {
 
-using Keys = std::vector<std::pair<std::string, std::string>>;
-using Requirements = std::vector<Requirement>;
+/// A case, and where its keys stand.
+struct Draft {
+  ExtremeCase result;
+  std::vector<toml::value> places;  ///< of result.keys
+  toml::value scene;
+};
 
-template <class T>
-std::vector<T> operator+(std::vector<T> some, const std::vector<T>& more) {
-  some.insert(some.end(), more.begin(), more.end());
-  return some;
+void set(Draft& draft, const std::string& key, const toml::value& value) {
+  auto& keys = draft.result.keys;
+  const auto at = std::ranges::find(keys, key, &ExtremeCase::Keys::value_type::first) - keys.begin();
+  if (at == std::ssize(keys)) keys.emplace_back(key, ""), draft.places.emplace_back();
+  keys[at].second = text_of(value), draft.places[at] = value;
 }
 
-Keys set(const char* key, const char* value) {
-  return {{key, value}};
+/// `key`: a quantity, or that with .below or .above.
+void require(ExtremeCase& one, const std::string& key, const toml::value& value) {
+  const auto dot = key.find('.');
+  const std::string bound = dot == std::string::npos ? "" : key.substr(dot + 1);
+  const bool recorded = bound.empty() && value.is_string() && value.as_string().str == "recorded";
+  if (!recorded && bound != "below" && bound != "above")
+    refuse(value, fmt::format("\"{}\" is no requirement", key),
+           "write such as energy.below = 1e-3, nearest.above = 0.7 or wall_heating = \"recorded\"");
+  const std::string quantity = key.substr(0, dot);
+  auto at = std::ranges::find(one.requirements, quantity, &Requirement::quantity);
+  if (at == one.requirements.end()) at = one.requirements.insert(at, Requirement{quantity});
+  if (bound == "below") at->below = number_of(value);
+  if (bound == "above") at->above = number_of(value);
 }
 
-const Keys gadget2 = set("sph.scheme", "gadget2");  // of equal masses, where it conserves energy
-const Keys energies = set("sph.energy", "energy");  // conserves it with any masses
-const Keys even_pressures = set("sph.scheme", "osph-coherent") + energies;  // even pressures where densities jump
-const Keys wendland = set("sph.kernel", "wc4") + set("sph.neighbours", "200");
-
-Keys tube(const char* problem) {
-  return set("scene.problem", problem);
-}
-Keys dimension(const char* D) {
-  return set("scene.dimension", D);
-}
-Keys n(const char* particles) {
-  return set("scene.n", particles);
+std::string name_of(const toml::value& value) {
+  const std::string name = string_of(value);
+  const bool plain = std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '.'; });
+  if (!plain || name.empty() || name[0] == '.')
+    refuse(value, "not a name of a case", "letters, digits, - and . are wanted here: a folder gets this name");
+  return name;
 }
 
-Requirement at_least(const char* quantity, double above) {
-  Requirement requirement{quantity};
-  requirement.above = above;
-  return requirement;
+/// What a table says, over what is said above it.
+void read_table(const toml::value& table, bool is_case, Draft& draft) {
+  if (!table.is_table()) refuse(table, "not a case", "write [[case]], and its lines below");
+  for (const auto& [name, value] : table.as_table())
+    if (name == "scene")
+      draft.result.scene = string_of(value), draft.scene = value;
+    else if (name == "set")
+      for (const auto& [key, one] : keys_of(value)) set(draft, key, one);
+    else if (name == "require")
+      for (const auto& [key, one] : keys_of(value)) require(draft.result, key, one);
+    else if (is_case && name == "name")
+      draft.result.name = name_of(value);
+    else if (is_case && name == "summary")
+      draft.result.summary = string_of(value);
+    else if (is_case || name != "case")
+      refuse(value, fmt::format("{} has no \"{}\"", is_case ? "a case" : "a file of extremes", name),
+             is_case ? "it has name, summary, scene, [case.set] and [case.require]"
+                     : "it has scene, [set], [require] and [[case]]");
 }
 
-std::vector<ExtremeCase> shocks() {
-  const Requirements conserved{{"energy", 1e-3}, {"momentum", 1e-6}}, in_place{{"front", 2}};
-  const auto streams = [](const char* mach) { return tube("streams") + gadget2 + set("scene.mach", mach); };
-  return {
-      {"blast", "P 1000 beside 0.01", "tube", tube("blast") + gadget2, conserved + in_place},
-      {"strong-blast", "P 3000 beside 1e-7", "tube", tube("strong-blast") + gadget2, conserved + in_place},
-      {"double-blast", "Woodward & Colella", "tube", tube("double-blast") + gadget2, conserved},
-      {"leblanc",
-       "density 1:1000, P 1:1e9",
-       "tube",
-       tube("leblanc") + energies,
-       {{"energy", 1e-2}, {"front", 2}, {"l1_v", 0.02}}},
-      {"slow-shock",
-       "a shock of speed 0.11",
-       "tube",
-       tube("slow-shock") + energies,
-       {{"energy", 1e-3}, {"l1_rho", 0.14}}},  // 5 % of the jump
-      {"streams-3", "streams of Mach 1e3", "tube", streams("1e3"), {{"energy", 1e-3}, {"front", 2}, {"l1_v", 0.02}}},
-      {"streams-5", "streams of Mach 1e5", "tube", streams("1e5"), {{"energy", 1e-3}, {"front", 2}, {"l1_v", 0.02}}},
-      {"streams-5-2d",
-       "streams of Mach 1e5 in 2D",
-       "tube",
-       streams("1e5") + dimension("2") + n("100"),
-       {{"energy", 1e-3}, {"front", 2}, {"l1_v", 0.05}}},
-      {"streams-5-3d",
-       "streams of Mach 1e5 in 3D",
-       "tube",
-       streams("1e5") + dimension("3") + n("64"),
-       {{"energy", 1e-3}, {"front", 2}, {"l1_v", 0.1}}},
-      // The best of the six methods of Spheral (Noh-planar-1d.py): GSPH for the density, CRKSPH for the velocity.
-      {"noh-1d",
-       "100 points; the best of six",
-       "noh",
-       gadget2 + dimension("1") + n("100") + set("sph.neighbours", "4") + set("viscosity.alpha", "0.75") +
-           set("viscosity.beta", "1.5"),
-       {{"energy", 1e-3}, {"line_error_rho", 0.0484}, {"line_error_v", 0.00775}, {"wall_heating"}}},
-      {"noh-2d",
-       "50 across the radius",
-       "noh",
-       set("sph.scheme", "osph") + energies + dimension("2") + n("50"),
-       {{"energy", 1e-3}, {"scatter", 0.05}, {"wall_heating"}}},
-      {"noh-3d",
-       "20 across the radius",
-       "noh",
-       set("sph.scheme", "sphs") + energies + dimension("3") + n("20"),
-       {{"energy", 1e-3}, {"scatter", 0.05}, {"wall_heating"}}},
-  };
-}
-
-std::vector<ExtremeCase> vacuum() {
-  const auto ball = [](const char* name, const char* setup, const char* D, const char* particles) {
-    return ExtremeCase{name,
-                       setup,
-                       "expansion",
-                       gadget2 + dimension(D) + n(particles),
-                       {{"energy", 1e-3}, {"density_error", 0.1}, {"l1_v", 0.1}}};
-  };
-  return {
-      {"rarefactions",
-       "1-2-0-3, near vacuum",
-       "tube",
-       tube("rarefactions"),
-       {{"energy", 1e-3}, {"l1_rho", 0.01}, {"l1_v", 0.02}}},
-      ball("expansion-1d", "a ball into vacuum, 1D", "1", "200"),
-      ball("expansion-2d", "a ball into vacuum, 2D", "2", "32"),
-      ball("expansion-3d", "a ball into vacuum, 3D", "3", "16"),
-  };
-}
-
-std::vector<ExtremeCase> explosions() {
-  const Requirements required{{"energy", 1e-2}, {"momentum", 1e-6}, {"roundness", 0.05}};
-  return {
-      {"point-explosion", "all energy in one particle, 16^3", "point-explosion", n("16"), required},
-      {"point-explosion-15", "the same in fifteen", "point-explosion", n("16") + set("scene.hot", "15"), required},
-      {"point-explosion-late", "the same in mid-run", "point-explosion",
-       n("16") + set("scene.delay", "0.03") + set("time.end", "0.08"), required},
-      {"point-explosion-32", "one particle of 32^3", "point-explosion", n("32"), required},
-      {"point-explosion-32-15", "fifteen particles of 32^3", "point-explosion", n("32") + set("scene.hot", "15"),
-       required},
-      {"sedov-mass-jump",
-       "a blast into masses 64 times as large",
-       "sedov",
-       gadget2 + n("32") + set("scene.coarser", "4"),
-       {{"energy", 0.01}, {"momentum", 1e-3}, {"roundness", 0.05}}},
-  };
-}
-
-/// Gas in pressure balance that nothing should happen to.
-std::vector<ExtremeCase> at_rest() {
-  std::vector<ExtremeCase> cases;
-  // Gas of unlike masses settles until its pressure stays even.
-  const auto jump = [&](const char* name, const char* setup, const char* finer, const char* boost) {
-    cases.push_back({name,
-                     setup,
-                     "square",
-                     gadget2 + wendland + dimension("3") + n("8") + set("scene.ratio", "1") +
-                         set("scene.finer", finer) + set("scene.boost", boost) + set("time.end", "0.5") +
-                         set("ic.pressure", "2.5") + set("ic.relax", "4") + set("ic.rounds", "40"),
-                     {{"energy", 1e-2}, {"momentum", 1e-6}, {"pressure_error", 0.05}, {"drift", 0.01}}});
-  };
-  jump("mass-jump-8", "masses 1:8 at rest", "2", "0");
-  jump("mass-jump-27", "masses 1:27 at rest", "3", "0");
-  jump("mass-jump-64", "masses 1:64 at rest", "4", "0");
-  jump("mass-jump-8-boosted", "masses 1:8 at 100 c", "2", "204");  // c = 2.04 along x and y
-  jump("mass-jump-27-boosted", "masses 1:27 at 100 c", "3", "204");
-  jump("mass-jump-64-boosted", "masses 1:64 at 100 c", "4", "204");
-  const auto contrast = [&](const char* name, const char* setup, const char* ratio, const char* shear) {
-    cases.push_back(
-        {name,
-         setup,
-         "square",
-         even_pressures + set("scene.shape", "layer") + set("scene.ratio", ratio) + set("scene.shear", shear),
-         {{"energy", 1e-2}, {"gap", 1}, {"pairs", 2}, {"drift", 0.01}, {"pressure_error", 0.05}}});
-  };
-  contrast("contrast-3", "density 1:1000 at rest", "1e3", "0");
-  contrast("contrast-6", "density 1:1e6 at rest", "1e6", "0");
-  contrast("contrast-3-sheared", "density 1:1000 in shear", "1e3", "1");
-  contrast("contrast-6-sheared", "density 1:1e6 in shear", "1e6", "1");
-  const auto square = [&](const char* name, const char* setup, const char* boost) {
-    cases.push_back({name,
-                     setup,
-                     "square",
-                     set("scene.temperatures", "smoothed") + set("scene.boost", boost),
-                     {{"energy", 1e-2}, {"momentum", 1e-3}, {"pressure_error", 0.2}, {"drift", 0.01}}});
-  };
-  square("square", "density 1:4 keeps its shape", "0");
-  square("square-boosted", "the same at 142", "142");
-  cases.push_back({"boost",
-                   "an even box at a million times c",
-                   "square",
-                   set("scene.ratio", "1") + set("scene.boost", "1.4e6") + set("time.end", "1e-4"),
-                   {{"pressure_error", 1e-2}, {"mach", 1e-2}}});
-  return cases;
-}
-
-std::vector<ExtremeCase> rotation() {
-  const Keys vortex = set("scene.layers", "8") + set("scene.lattice", "glass") + set("sph.scheme", "sphs-morris") +
-                      set("time.courant", "0.4");
-  return {
-      {"gresho-3",
-       "a vortex to t = 3",
-       "gresho",
-       vortex + n("48") + set("time.end", "3"),
-       {{"energy", 1e-2}, {"l1_v", 0.1}}},
-      {"gresho-boosted",
-       "a vortex that moves at 3",
-       "gresho",
-       vortex + n("32") + set("scene.boost", "3"),
-       {{"energy", 1e-2}, {"l1_v", 0.1}}},
-      {"ring",
-       "five orbits of a cold ring",
-       "ring",
-       {},
-       {{"energy", 2e-2}, {"angular_momentum", 1e-2}, {"ring_width", 1.25}, {"l1_v", 0.02}}},
-  };
-}
-
-/// Arrangements of particles. A lattice keeps where `sphk stability` finds no growing wave, and breaks where it does.
-std::vector<ExtremeCase> arrangements() {
-  const auto lattice = [](const char* kernel, const char* neighbours) {
-    return gadget2 + n("16") + set("scene.lattice", "cubic") + set("scene.jitter", "0.01") + set("sph.kernel", kernel) +
-           set("sph.neighbours", neighbours) + set("time.end", "1");
-  };
-  return {
-      {"settling",
-       "random places settle",
-       "uniform",
-       gadget2 + wendland + n("16") + set("scene.lattice", "random") + set("time.end", "2"),
-       {{"energy", 1e-2}, {"density_scatter", 0.05}, at_least("nearest", 0.7)}},
-      {"lattice-kept", "HOCT4 with 442", "uniform", lattice("hoct4", "442"), {at_least("nearest", 0.95)}},
-      {"lattice-broken", "CS with 128", "uniform", lattice("cs", "128"), {{"nearest", 0.9}}},
-  };
+/// Shows what is said against scene or keys at its place.
+void run_check(const Draft& draft, const CheckKeys& check) {
+  try {
+    check(draft.result.scene, draft.result.keys);
+  } catch (const InputError& error) {
+    const std::string text = error.what(), subject = text.substr(0, text.find_first_of(" =:"));
+    const auto& keys = draft.result.keys;
+    const auto at = std::ranges::find(keys, subject, &ExtremeCase::Keys::value_type::first) - keys.begin();
+    refuse(at == std::ssize(keys) ? draft.scene : draft.places[at], text, "here");
+  }
 }
 
 }  // namespace
 
-const std::vector<ExtremeCase>& extreme_cases() {
-  static const std::vector<ExtremeCase> cases = [] {
-    std::vector<ExtremeCase> all;
-    for (auto part : {shocks, vacuum, explosions, at_rest, rotation, arrangements})
-      for (ExtremeCase& one : part()) all.push_back(std::move(one));
-    return all;
-  }();
+std::string Requirement::text() const {
+  std::string text = quantity;
+  if (std::isfinite(below)) text += fmt::format(" < {:g}", below);
+  if (std::isfinite(above)) text += fmt::format(" > {:g}", above);
+  return text == quantity ? quantity + " recorded" : text;
+}
+
+std::vector<ExtremeCase> read_extremes(const fs::path& path, const CheckKeys& check) {
+  const toml::value file = parse_toml(path, "file of extremes");
+  Draft shared;
+  read_table(file, false, shared);
+  if (!file.contains("case"))
+    throw InputError(fmt::format("{} has no case: write [[case]], and its lines below", path.string()));
+  if (!file.at("case").is_array())
+    refuse(file.at("case"), "not a list of cases", "write [[case]], with two brackets, above each");
+  std::vector<ExtremeCase> cases;
+  for (const toml::value& table : file.at("case").as_array()) {
+    Draft draft = shared;
+    read_table(table, true, draft);
+    const ExtremeCase& one = draft.result;
+    if (one.name.empty() || one.scene.empty())
+      refuse(table, "a case without name or scene", "begin it with lines such as name = \"blast\", scene = \"tube\"");
+    if (std::ranges::find(cases, one.name, &ExtremeCase::name) != cases.end())
+      refuse(table.at("name"), fmt::format("a second case \"{}\"", one.name), "give it a name of its own");
+    if (check) run_check(draft, check);
+    cases.push_back(one);
+  }
+  return cases;
+}
+
+std::vector<ExtremeCase> extremes_in(const fs::path& folder, const CheckKeys& check) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<ExtremeCase> cases;
+  for (const fs::path& file : files) std::ranges::move(read_extremes(file, check), std::back_inserter(cases));
   return cases;
 }
 

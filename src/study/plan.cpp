@@ -7,6 +7,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/run/toml_file.hpp"
+#include "src/study/toml_values.hpp"
 
 namespace sphk {
 
@@ -16,53 +17,11 @@ namespace {
 
 constexpr double max_points = 10000, max_repeat = 1000;
 
-[[noreturn]] void refuse(const toml::value& value, const std::string& problem, const std::string& comment) {
-  throw InputError(toml::format_error(problem, value, comment));
-}
-
-/// The value as --set would take it.
-std::string text_of(const toml::value& value) {
-  if (value.is_string()) return value.as_string().str;
-  if (value.is_boolean()) return value.as_boolean() ? "true" : "false";
-  if (value.is_integer()) return std::to_string(value.as_integer());
-  if (value.is_floating()) return fmt::format("{}", value.as_floating());
-  refuse(value, "not a value of a key", "one number, string, true or false is wanted here");
-}
-
-double number_of(const toml::value& value) {
-  const double number = value.is_integer()    ? static_cast<double>(value.as_integer())
-                        : value.is_floating() ? value.as_floating()
-                                              : -1;
-  if (!(number > 0)) refuse(value, "not a positive number", "a number above 0 is wanted here");
-  return number;
-}
-
 int repeat_of(const toml::value& value) {
-  const double number = number_of(value);
+  const double number = positive_number_of(value);
   if (number != std::floor(number) || number > max_repeat)
     refuse(value, "not a number of runs", fmt::format("a whole number from 1 to {} is wanted here", max_repeat));
   return static_cast<int>(number);
-}
-
-std::string string_of(const toml::value& value) {
-  if (!value.is_string()) refuse(value, "not a string", "a text in quotation marks is wanted here");
-  return value.as_string().str;
-}
-
-/// A table's keys with their values, sections and all, in the order of the file.
-std::vector<std::pair<std::string, toml::value>> keys_of(const toml::value& table, const std::string& prefix = "") {
-  if (!table.is_table()) refuse(table, "not a table", "keys are wanted here, as in a scene file");
-  std::vector<std::pair<std::string, toml::value>> keys;
-  for (const auto& [leaf, value] : table.as_table())
-    if (value.is_table())
-      std::ranges::move(keys_of(value, prefix + leaf + "."), std::back_inserter(keys));
-    else
-      keys.emplace_back(prefix + leaf, value);
-  std::ranges::stable_sort(keys, {}, [](const auto& key) {
-    const auto place = key.second.location();
-    return std::pair(place.line(), place.column());
-  });
-  return keys;
 }
 
 /// One axis a key: a list's values, or the only one.
@@ -127,13 +86,13 @@ StudyPlan read_study_file(const fs::path& path) {
     else if (name == "norm")
       plan.norm = string_of(value);
     else if (name == "target")
-      plan.target = number_of(value);
+      plan.target = positive_number_of(value);
     else if (name == "repeat")
       plan.repeat = repeat_of(value);
     else if (name == "others")
       plan.others = path.parent_path() / string_of(value);
     else if (name == "budgets" && value.is_array())
-      std::ranges::transform(value.as_array(), std::back_inserter(plan.budgets), number_of);
+      std::ranges::transform(value.as_array(), std::back_inserter(plan.budgets), positive_number_of);
     else if (name == "set")
       for (const auto& [key, one] : keys_of(value)) plan.fixed.emplace_back(key, text_of(one));
     else if (name != "vary" && name != "methods")

@@ -1,41 +1,14 @@
-#include <gtest/gtest.h>
-#include <stdio.h>
-#include <sys/wait.h>
-
 #include <nlohmann/json.hpp>
 
-#include "tests/temporary_folder.hpp"
+#include "tests/cli/sphk_executable.hpp"
 
 namespace sphk {
 namespace {
-
-struct Result {
-  int code = -1;
-  std::string text;  ///< standard output and error together
-};
-
-/// Runs `sphk ARGUMENTS` in `folder`.
-Result sphk_in(const std::filesystem::path& folder, const std::string& arguments) {
-  const std::string command = "cd '" + folder.string() + "' || exit 1; '" SPHK_EXECUTABLE "' " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  Result result;
-  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) result.text += static_cast<char>(c);
-  const int status = pclose(pipe);
-  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
-}
 
 constexpr const char* small_run = "run uniform -n 8 --set scene.lattice=cubic --set scene.jitter=0.1 --steps 3";
 
 /// A blast wave with 25 times the stable time-step: within some steps a particle has lost more energy than it had.
 constexpr const char* blow_up = "run tube -n 50 --set sph.energy=energy --set time.courant=10";
-
-class Executable : public testing::Test {
- protected:
-  Result sphk(const std::string& arguments) { return sphk_in(folder.path(), arguments); }
-  std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
-  TemporaryFolder folder;
-};
 
 TEST_F(Executable, BadInputEndsWithCode2AndTellsHowToMendIt) {
   const std::pair<const char*, const char*> wrong[] = {

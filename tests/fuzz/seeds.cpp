@@ -3,8 +3,8 @@
 #include <fstream>
 #include <vector>
 
-#include "src/run/scene_file.hpp"
 #include "src/io/checkpoint.hpp"
+#include "src/run/scene_file.hpp"
 #include "tests/io/example.hpp"
 
 namespace sphk {
@@ -27,6 +27,10 @@ void write_texts(const fs::path& folder) {
         "others = \"peers.csv\"\n[set]\nscene = { lattice = \"cubic\", across = 4 }\ntime.limiter = false\n"
         "[vary]\nscene.n = [16, 32]\n[[methods]]\nsph.scheme = [\"sph\", \"tsph\"]\nsph.neighbours = 48\n"
         "[[methods]]\nviscosity.alpha = 0.5\n");
+  write("extremes",
+        "scene = \"sod\"\n[set]\nscene = { n = 32 }\n[require]\nunsound.below = 1\n[[case]]\nname = \"stiff\"\n"
+        "summary = \"short\"\nset.sph.kernel = \"m6\"\nrequire.energy = { below = 1e-3, above = -1 }\n"
+        "[[case]]\nname = \"other\"\n[case.set]\ntime.motion = false\n[case.require]\nmach = \"recorded\"\n");
   write("others", "# last year\nmachine,error,engine, setting ,cpu_seconds\nA box, 0.5 ,SWIFT,48 neighbours,2e1\r\n");
 }
 

@@ -1,5 +1,6 @@
-// The readers of text: scene files, study files, and the tables of other engines.
+// The readers of text: scene files, study files, files of extremes, and the tables of other engines.
 #include "src/run/scene_file.hpp"
+#include "src/study/extremes.hpp"
 #include "src/study/others.hpp"
 #include "src/study/plan.hpp"
 #include "tests/fuzz/input_file.hpp"
@@ -46,6 +47,15 @@ void read_plan(const std::filesystem::path& path) {
   }
 }
 
+void read_cases(const std::filesystem::path& path) {
+  const auto check = [](const std::string&, const ExtremeCase::Keys& keys) {
+    Settings settings = some_settings();
+    for (const auto& [key, text] : keys) settings.set_from_text(key, text, Origin::file);
+  };
+  for (const ExtremeCase& one : read_extremes(path, check))
+    for (const Requirement& requirement : one.requirements) requirement.text();
+}
+
 }  // namespace
 }  // namespace sphk
 
@@ -53,6 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const sphk::InputFile file(".toml");
   file.put(data, size);
   sphk::expect_input_error_or_none([] { sphk::read_plan(file.path()); });
+  sphk::expect_input_error_or_none([] { sphk::read_cases(file.path()); });
   sphk::expect_input_error_or_none([] { sphk::read_others(file.path()); });
   sphk::expect_input_error_or_none([] { sphk::read_scene_file(file.path()); });
   return 0;

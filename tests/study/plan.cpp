@@ -5,9 +5,6 @@
 #include <set>
 
 #include "src/engine/errors.hpp"
-#include "src/scenes/scene.hpp"
-#include "src/study/extremes.hpp"
-#include "src/study/odd_cases.hpp"
 #include "src/study/others.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -114,27 +111,6 @@ TEST_F(StudyPlans, OfPresetsHaveUnlikePoints) {
     EXPECT_GT(names.size(), 1u) << preset.name;
     EXPECT_FALSE(preset.summary.empty()) << preset.name;
     if (!preset.others.empty()) EXPECT_FALSE(read_others(preset.others).empty()) << preset.name;
-  }
-}
-
-TEST(Extremes, AreOfScenesAndHaveBounds) {
-  std::set<std::string> names;
-  for (const ExtremeCase& one : extreme_cases()) {
-    EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    EXPECT_NO_THROW(find_scene(one.scene)) << one.name;
-    EXPECT_FALSE(one.requirements.empty()) << one.name;
-    for (const Requirement& requirement : one.requirements) EXPECT_GT(requirement.below, 0) << one.name;
-  }
-}
-
-TEST(OddArrangements, AreRunByTwoSchemesWithBothKindsOfSteps) {
-  std::set<std::string> names;
-  for (const OddArrangement& odd : odd_arrangements()) {
-    EXPECT_EQ(odd.cases.size(), 4u) << odd.name;
-    for (const ExtremeCase& one : odd.cases) {
-      EXPECT_TRUE(names.insert(one.name).second) << one.name;
-      EXPECT_EQ(one.scene, "odd");
-    }
   }
 }
 
