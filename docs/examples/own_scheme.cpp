@@ -21,7 +21,8 @@ struct Cubed {
 
 /// A field that snapshots show.
 struct Mixing {
-  static constexpr FieldFacts facts{.name = "Mixing", .description = "sum_j m_j |v_ij| Wbar",
+  static constexpr FieldFacts facts{.name = "Mixing",
+                                    .description = "sum_j m_j |v_ij| Wbar",
                                     .unit = {.length = 1, .mass = 1, .time = -1, .volume = -1},
                                     .shown = Shown::in_snapshots};
   template <class T, int D>

@@ -1,6 +1,6 @@
+#include "src/study/gallery.hpp"
 #include "src/cli/commands.hpp"
 #include "src/run/stop_signal.hpp"
-#include "src/study/gallery.hpp"
 
 namespace sphk {
 

@@ -48,7 +48,7 @@ class Reader {
   void set_dimension();
   void set_box();
   void fill_gaps();
-  void remark(std::string text) { result_.remarks.push_back(std::move(text)); }
+  void remark(std::string_view text) { result_.remarks.emplace_back(text); }
 
   NonFinite non_finite_;
   ReadResult result_;

@@ -229,7 +229,8 @@ SimulationSettings simulation_settings(const Settings& settings) {
                                 .steps = settings.text("time.steps"),
                                 .step_limiter = settings.flag("time.limiter"),
                                 .h_max = settings.real("sph.h_max"),
-                                .max_dt = settings.real("time.max_dt")};
+                                .max_dt = settings.real("time.max_dt"),
+                                .numbers = {}};
   const SchemeFacts& scheme = scheme_facts(simulation.scheme, compiled_schemes());
   for (const Number* number : numbers_of(scheme, compiled_schemes())) {
     const auto key = std::ranges::find(settings.keys(), number->key, &Key::name);
