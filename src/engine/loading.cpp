@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "kernels/passes/support_search.hpp"
+#include "src/engine/geometry.hpp"
 
 namespace sphk {
 
@@ -10,8 +10,8 @@ double support_of_even_gas(const ParticleSet& particles, const SimulationSetting
   const int D = particles.dimension;
   double volume = 1;
   for (int d = 0; d < D; ++d) volume *= particles.box.size[d];
-  const double sphere = D == 1 ? unit_sphere<1> : D == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * sphere), 1.0 / D);
+  return std::pow(settings.neighbours * volume / (static_cast<double>(particles.size()) * unit_sphere_volume(D)),
+                  1.0 / D);
 }
 
 double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {

@@ -124,9 +124,10 @@ bool may_change(const std::string& key) {
 }
 
 void adapt(Problem& problem) {
-  problem.scene->adapt(problem.settings);
-  adopt_scheme(problem.settings, problem.scene->dimension(problem.settings), problem.scene->mixes());
-  problem.scene->adapt(problem.settings);
+  for (int twice = 0; twice < 2; ++twice) {  // a scene's choices may follow from the method, as that does from them
+    problem.scene->adapt(problem.settings);
+    adopt_scheme(problem.settings, problem.scene->dimension(problem.settings), problem.scene->mixes());
+  }
 }
 
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides) {

@@ -7,6 +7,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "src/engine/errors.hpp"
+#include "src/engine/geometry.hpp"
 #include "src/engine/loading.hpp"
 #include "src/engine/output.hpp"
 #include "src/schemes/checks.hpp"
@@ -104,8 +105,7 @@ std::vector<std::string> kernel_names() {
 }
 
 double min_neighbours(const std::string& kernel, int dimension) {
-  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
-  return of_kernel(kernel, [&](const auto& k) { return sphere * k.norm(dimension) * k.w(0.0); });
+  return of_kernel(kernel, [&](const auto& k) { return unit_sphere_volume(dimension) * k.norm(dimension) * k.w(0.0); });
 }
 
 SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& particles) {
@@ -117,15 +117,15 @@ SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& p
   const Instantiation& complete = choose(compiled_schemes(), whole, particles.dimension, gas);
   const Given given = given_of(settings);
   const CompiledFacts facts = row.facts();
-  SchemeDescription description{
-      .scheme = settings.scheme,
-      .kernel = settings.kernel,
-      .precision = settings.precision,
-      .dimension = particles.dimension,
-      .tabulated = !row.kernel,
-      .left_out = left_out(row, complete, given),
-      .bytes_per_particle = facts.bytes_per_particle + (has_own_steps(settings) ? bytes_of_own_steps : 0),
-      .flops_per_pair = facts.flops_per_pair};
+  SchemeDescription description;
+  description.scheme = settings.scheme;
+  description.kernel = settings.kernel;
+  description.precision = settings.precision;
+  description.dimension = particles.dimension;
+  description.tabulated = !row.kernel;
+  description.left_out = left_out(row, complete, given);
+  description.bytes_per_particle = facts.bytes_per_particle + (has_own_steps(settings) ? bytes_of_own_steps : 0);
+  description.flops_per_pair = facts.flops_per_pair;
   for (const PassFacts& pass : facts.passes)
     if (pass.wanted(given)) description.passes.emplace_back(pass.name);
   for (const TermFacts& term : row.terms) description.terms.emplace_back(term.name);

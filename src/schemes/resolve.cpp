@@ -10,6 +10,7 @@
 #include "kernels/passes/kick_drift.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "src/engine/errors.hpp"
+#include "src/engine/geometry.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -138,10 +139,9 @@ std::vector<const Number*> numbers_of(const SchemeFacts& scheme, const Instantia
 double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, int dimension) {
   const KernelChoice& usual = usual_of(scheme, dimension);
   if (kernel == usual.kernel) return usual.neighbours;
-  const double sphere = dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
   try {
     const double spacings = with_kernel(kernel, [](const auto& k) { return k.spacings; });
-    return std::max(usual.neighbours, std::round(sphere * std::pow(spacings, dimension)));
+    return std::max(usual.neighbours, std::round(unit_sphere_volume(dimension) * std::pow(spacings, dimension)));
   } catch (const std::invalid_argument&) {  // a kernel of one's own
     return usual.neighbours;
   }

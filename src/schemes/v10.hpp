@@ -31,6 +31,7 @@ struct V10 {
   };
   /// Without conductivity (V10's series NOAC).
   struct Plain : Without<Entropy, ArtificialConductivity> {
+    static constexpr bool rates = true;
     using Kernels = Entropy::Kernels;
   };
   using Lean = ByDimension<List<>, List<CubicSpline>, List<>>;

@@ -17,6 +17,7 @@ constexpr double rounding = 1e-13;
 
 SimulationSettings settings_for(int dimension) {
   SimulationSettings s;
+  s.kernel = "cs";
   s.neighbours = dimension == 1 ? 10 : dimension == 2 ? 28 : 60;
   s.gamma = 1.4;
   return s;
@@ -237,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(Dimensions, SphsReferenceIn, testing::Values(1, 2, 3),
 /// gamma = 2 P = rho u = 4, 24 and c = sqrt(2 u) = 2, 4; w_12 = -1, v_sig = 9, rho_12 = 5/2, L = 20/28 = 5/7.
 struct TwoParticles : testing::Test {
   ParticleSet gas;
-  SimulationSettings settings;
+  SimulationSettings settings{.kernel = "cs"};
   TwoParticles() {
     gas.dimension = 1;
     gas.x = {{0, 0, 0}, {0.5, 0, 0}};

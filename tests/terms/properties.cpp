@@ -51,6 +51,7 @@ struct Pair {
         for (int k = 0; k < components<F, 3>; ++k)
           component_array<F>(*one)[k] = T(0.5 + static_cast<double>(engine() % 8 + 1) / 8);
       });
+    for (int k = 0; k < 3; ++k) i.v[k] = j.v[k] - T(0.25 * (k + 1));  // they approach
     i.h_inv = T(1) / T(2), j.h_inv = T(1) / T(3);
     if constexpr (contains<Support, Fields>) i.h = T(2), j.h = T(3);
     place(1.5);
