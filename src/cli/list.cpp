@@ -23,7 +23,7 @@ int list_command() {
     const Settings settings = with_lattice(problem.settings);
     const ParticleSet particles = scene->build(settings);
     fmt::print("{:<15} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
-               "~" + rough_text(rough_seconds(particles, settings)), scene->summary());
+               fmt::format("~{}", rough_text(rough_seconds(particles, settings))), scene->summary());
   }
   fmt::print(
       "\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "
