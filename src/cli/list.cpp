@@ -39,7 +39,7 @@ int list_command() {
     const Settings settings = with_lattice(problem.settings);
     const ParticleSet particles = scene->build(settings);
     fmt::print("{:<15} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
-               "~" + rough_text(rough_seconds(particles, settings)), scene->summary());
+               fmt::format("~{}", rough_text(rough_seconds(particles, settings))), scene->summary());
   }
   print_schemes();
   fmt::print(

@@ -24,8 +24,8 @@ set(src/study_may src/run ${src/run_may})
 set(src/cli_may src/study src/tables ${src/study_may})
 set(src/include_may src/run ${src/run_may})  # the header of the installed library
 
-# Of the engine, src/io sees what is in files alone, no simulation.
-set(io_sees checksum errors particle_set saved_state settings)
+# Of the engine, src/io sees what is in files and formulas alone, no simulation.
+set(io_sees checksum errors geometry particle_set saved_state settings)
 
 # Why `name`, as written between <> or "", may not be included by a file of `folder`; empty when it may.
 function(reason_against reason folder name)
