@@ -52,8 +52,8 @@ class Checkpoints {
   double seconds_ = 0;
 };
 
-/// The newest checkpoint of a folder that is whole, and of a run of this scene with these keys, but for those that may change.
-/// Throws InputError where there is none.
+/// The newest checkpoint of a folder that is whole, and of a run of this scene with these keys, but for those that may
+/// change. Throws InputError where there is none.
 SavedRun newest_checkpoint(const std::filesystem::path& folder, const Scene& scene, const Settings& settings);
 
 }  // namespace sphk

@@ -9,7 +9,7 @@ host='^src/(io|report|run|study|scenes|stability|tables|cli|schemes/re|engine/[a
 if [[ ${TIDY:-} == all ]]; then
   mapfile -t files < <(git ls-files src | grep -E "$host")
 else
-  mapfile -t files < <(git log -n 5 --name-only --format= --diff-filter=d -- src | grep -E "$host" | sort -u | head -n 6)
+  mapfile -t files < <(git log -n 5 --name-only --format= --diff-filter=d -- src | grep -E "$host" | sort -u | head -n 3)
 fi
 [[ ${#files[@]} -gt 0 ]] || { echo "the newest commits changed no host code"; exit 0; }
 includes=$(grep -ohE -- '-isystem [^ ]+' "$build/build.ninja" 2>/dev/null | sort -u | xargs)
