@@ -3,14 +3,9 @@
 #include <Kokkos_Core.hpp>
 
 #include "kernels/core/simd.hpp"
+#include "kernels/core/sphere.hpp"
 
 namespace sphk {
-
-/// Volume of the unit sphere in D dimensions.
-template <int D>
-inline constexpr double unit_sphere = D == 1   ? 2
-                                      : D == 2 ? 3.14159265358979323846
-                                               : 4.18879020478639098462;
 
 /// Search for the support radius of one particle: the root of F(h) = V_D h^D n(h) - N_n (S12 eq 11), which grows with
 /// h. Newton steps inside a bracket, bisection where they leave it; it always ends.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <numbers>
+#include "kernels/core/sphere.hpp"
 
 namespace sphk {
 
-/// V_D, the volume of the unit sphere in D = 1, 2 or 3 dimensions: 2, pi, 4 pi / 3. Its surface is D V_D.
+/// V_D in a number of dimensions that run time knows. The surface of the sphere is D V_D.
 constexpr double unit_sphere_volume(int dimension) {
-  return dimension == 1 ? 2 : dimension == 2 ? std::numbers::pi : 4.18879020478639098462;
+  return dimension == 1 ? unit_sphere<1> : dimension == 2 ? unit_sphere<2> : unit_sphere<3>;
 }
 
 }  // namespace sphk

@@ -54,7 +54,7 @@ using Dimensions =
     testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(CellTreeTest, Dimensions);
 
-TYPED_TEST(CellTreeTest, sorting_is_a_permutation_that_keeps_rows_together) {
+TYPED_TEST(CellTreeTest, SortingIsAPermutationThatKeepsRowsTogether) {
   constexpr int D = TypeParam::value;
   for (const int n : {1, 7, 64, 1000, 9000}) {
     Cloud<D> cloud(n, unit_box<D>(1), 1);
@@ -74,7 +74,7 @@ TYPED_TEST(CellTreeTest, sorting_is_a_permutation_that_keeps_rows_together) {
   }
 }
 
-TYPED_TEST(CellTreeTest, boxes_hold_their_particles) {
+TYPED_TEST(CellTreeTest, BoxesHoldTheirParticles) {
   constexpr int D = TypeParam::value;
   Cloud<D> cloud(5000, unit_box<D>(0), 2);
   cloud.sort();
@@ -90,7 +90,7 @@ TYPED_TEST(CellTreeTest, boxes_hold_their_particles) {
 }
 
 /// Every (particle, image) within reach lies in a sub-cell that the walk visits, once.
-TYPED_TEST(CellTreeTest, a_walk_misses_nothing_and_visits_nothing_twice) {
+TYPED_TEST(CellTreeTest, AWalkMissesNothingAndVisitsNothingTwice) {
   constexpr int D = TypeParam::value;
   for (const double reach : {0.01, 0.3, 1.7}) {
     Cloud<D> cloud(D == 3 && reach > 1 ? 100 : 600, unit_box<D>(1), 3);
@@ -124,7 +124,7 @@ TYPED_TEST(CellTreeTest, a_walk_misses_nothing_and_visits_nothing_twice) {
 }
 
 /// Cells are compact: the mean volume of a cell of 64 in an even gas stays near that of 64 particles.
-TEST(CellTree, cells_of_an_even_gas_are_compact) {
+TEST(CellTree, CellsOfAnEvenGasAreCompact) {
   constexpr int n = 32768;
   const Domain<3> domain = unit_box<3>(1);
   Cloud<3> cloud(n, domain, 4);
@@ -141,7 +141,7 @@ TEST(CellTree, cells_of_an_even_gas_are_compact) {
   EXPECT_LT(sum, 1.2) << "volume of all boxes over the volume of the gas";
 }
 
-TEST(Domain, wraps_into_its_box) {
+TEST(Domain, WrapsIntoItsBox) {
   Domain<2> domain{{-1, 0}, {2, 0}};
   EXPECT_EQ(domain.wrapped(1, 0), -1);
   EXPECT_EQ(domain.wrapped(-1.5, 0), 0.5);
@@ -153,7 +153,7 @@ TEST(Domain, wraps_into_its_box) {
 }
 
 /// Neighbouring keys of a Hilbert curve are neighbouring cells: each step along it changes one coordinate by one.
-TEST(Hilbert, curve_moves_one_cell_at_a_time) {
+TEST(Hilbert, CurveMovesOneCellAtATime) {
   constexpr int side = 8;  // the lowest 3 bits of each coordinate fill a cube, a contiguous piece of the curve
   std::map<std::uint64_t, std::array<int, 3>> cells;
   for (int x = 0; x < side; ++x)
@@ -171,7 +171,7 @@ TEST(Hilbert, curve_moves_one_cell_at_a_time) {
   }
 }
 
-TEST(RadixSort, sorts_stably) {
+TEST(RadixSort, SortsStably) {
   RadixSort sort(50000);
   std::mt19937_64 engine(6);
   std::vector<std::uint64_t> keys(50000);

@@ -20,7 +20,7 @@ ParticleSet end_of_run(const std::filesystem::path& folder, const std::string& a
 
 class Threads : public testing::TestWithParam<std::string> {};
 
-TEST_P(Threads, of_any_number_give_the_same_bits) {
+TEST_P(Threads, OfAnyNumberGiveTheSameBits) {
   const TemporaryFolder folder;
   const ParticleSet one = end_of_run(folder.path(), GetParam(), 1), two = end_of_run(folder.path(), GetParam(), 2);
   ASSERT_GT(one.size(), 100u);

@@ -31,7 +31,7 @@ struct Packs : testing::Test {
 using PackTypes = testing::Types<float, double, simd<float, native_lanes<float>>, simd<double, native_lanes<double>>>;
 TYPED_TEST_SUITE(Packs, PackTypes);
 
-TYPED_TEST(Packs, operations_act_on_each_lane) {
+TYPED_TEST(Packs, OperationsActOnEachLane) {
   using P = TypeParam;
   const P a = this->pack(this->a), b = this->pack(this->b);
   const auto high = this->values(sphk::max(a, b)), low = this->values(sphk::min(a, b)),
@@ -46,7 +46,7 @@ TYPED_TEST(Packs, operations_act_on_each_lane) {
   }
 }
 
-TYPED_TEST(Packs, reductions_run_over_all_lanes) {
+TYPED_TEST(Packs, ReductionsRunOverAllLanes) {
   using T = typename TestFixture::T;
   T sum = 0, most = this->b[0];
   for (const T value : this->a) sum += value;  // quarters below 2^20: every order of the sum is exact
@@ -55,7 +55,7 @@ TYPED_TEST(Packs, reductions_run_over_all_lanes) {
   EXPECT_EQ(max_lanes(this->pack(this->b)), most);
 }
 
-TYPED_TEST(Packs, compression_keeps_the_chosen_lanes_in_order) {
+TYPED_TEST(Packs, CompressionKeepsTheChosenLanesInOrder) {
   using P = TypeParam;
   using T = typename TestFixture::T;
   const P a = this->pack(this->a);
@@ -71,7 +71,7 @@ TYPED_TEST(Packs, compression_keeps_the_chosen_lanes_in_order) {
   }
 }
 
-TYPED_TEST(Packs, mask_bits_name_the_lanes) {
+TYPED_TEST(Packs, MaskBitsNameTheLanes) {
   unsigned wanted = 0;
   for (int k = 0; k < this->width; ++k) wanted |= unsigned(this->a[k] < this->b[k]) << k;
   EXPECT_EQ(mask_bits(this->pack(this->a) < this->pack(this->b)), wanted);

@@ -18,7 +18,7 @@ static_assert(component_count<3, Fields> == 5 && component_count<1, Fields> == 3
 static_assert(component_offset<3, Mass, Fields> == 0 && component_offset<3, MaxSignalVelocity, Fields> == 4);
 static_assert(components<VelocityCurl, 2> == 1 && components<VelocityCurl, 3> == 3);
 
-TEST(Values, accumulation_adds_sums_and_takes_maxima) {
+TEST(Values, AccumulationAddsSumsAndTakesMaxima) {
   Values<double, 3, Fields> total;
   set_zero(total);
   using P = simd<float, native_lanes<float>>;
@@ -38,7 +38,7 @@ TEST(Values, accumulation_adds_sums_and_takes_maxima) {
   EXPECT_EQ(total.v_sig, native_lanes<float>);
 }
 
-TEST(Columns, store_and_load_are_inverse) {
+TEST(Columns, StoreAndLoadAreInverse) {
   const Columns<3, Fields> columns("columns", 20);
   Values<double, 3, Fields> values;
   values.m = 1, values.v = {{2, 3, 4}}, values.v_sig = 5;
@@ -51,7 +51,7 @@ TEST(Columns, store_and_load_are_inverse) {
   EXPECT_EQ(columns.at<Velocity>(8, 2), 0);
 }
 
-TEST(Vec, dot_and_cross) {
+TEST(Vec, DotAndCross) {
   const Vec<double, 3> a{{1, 2, 3}}, b{{-2, 0.5, 4}};
   EXPECT_EQ(dot(a, b), 11);
   const auto c = cross(a, b);  // (2*4 - 3*0.5, 3*-2 - 1*4, 1*0.5 - 2*-2)

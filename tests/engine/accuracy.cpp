@@ -44,7 +44,7 @@ Result run_scene(const std::string& name, const Keys& keys) {
 
 /// Sod's tube, gamma 5/3, glass, 64 x 32 x 32 + 32 x 16 x 16: GADGET-2 reaches 0.0346 with 50 neighbours, the best of
 /// four peers.
-TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
+TEST(Accuracy, SodOnAGlassIsNoWorseThanTheBestPeer) {
   const Result sod = run_scene("sod", {{"sph.scheme", "gadget2"}, {"sph.neighbours", "50"}});
   ASSERT_EQ(sod.end.size(), 73728u);
   EXPECT_LE(sod.errors.at("v").l1, 0.0346);
@@ -54,7 +54,7 @@ TEST(Accuracy, sod_on_a_glass_is_no_worse_than_the_best_peer) {
 /// Gresho's vortex, 32 x 32 x 8 lattice, t = 1: GADGET-2 0.174 with 50 neighbours; S12 Fig. 6 has CS42 always above
 /// 0.10. The lattice breaks up by chance: runs that differ in a digit scatter, and GADGET-2's figure is of one such
 /// run.
-TEST(Accuracy, gresho_with_50_neighbours_is_that_of_gadget2) {
+TEST(Accuracy, GreshoWith50NeighboursIsThatOfGadget2) {
   std::vector<double> l1;
   for (const char* neighbours : {"49.98", "49.99", "50", "50.01"})
     l1.push_back(run_scene("gresho", {{"scene.n", "32"},
@@ -74,7 +74,7 @@ TEST(Accuracy, gresho_with_50_neighbours_is_that_of_gadget2) {
 
 /// Sedov's blast: the shock stands at r = 1.15 (E t^2/rho)^(1/5); S12 conserve energy to 5 %. The densest spherical
 /// shell lies within half a support radius of the exact front.
-TEST(Accuracy, sedov_shock_stands_where_it_must) {
+TEST(Accuracy, SedovShockStandsWhereItMust) {
   const Result sedov = run_scene("sedov", {{"scene.n", "32"}, {"sph.scheme", "gadget2"}});
   EXPECT_LT(sedov.energy_drift(), 0.05);
   const auto exact = find_scene("sedov").exact(sedov.settings);
@@ -109,7 +109,7 @@ TEST(Accuracy, sedov_shock_stands_where_it_must) {
 /// The same with SPHS on steps of the particles' own. S12 lose 5 % with eq 7 and entropies; with the thermal energy in
 /// their place, or the momentum equation that belongs to entropies, the pairs conserve it, and 1 % is left to the
 /// steps.
-TEST(Accuracy, sedov_with_sphs_keeps_its_energy_on_unlike_steps) {
+TEST(Accuracy, SedovWithSphsKeepsItsEnergyOnUnlikeSteps) {
   const auto drift = [](const char* scheme, const char* energy) {
     return run_scene("sedov", {{"scene.n", "32"}, {"sph.scheme", scheme}, {"sph.energy", energy}}).energy_drift();
   };
@@ -126,7 +126,7 @@ double measure(const Result& result, const std::string& scene, const std::string
 
 /// Saitoh & Makino (2009): all energy in one particle of cold gas, steps of the particles' own. While neighbours stay
 /// within a factor 4 the blast ends within 1 % of Sedov's radius and of its energy; without that it is no blast at all.
-TEST(Accuracy, point_explosion_needs_the_limiter_of_the_steps) {
+TEST(Accuracy, PointExplosionNeedsTheLimiterOfTheSteps) {
   const Keys keys{{"scene.n", "32"}};
   const Result blast = run_scene("point-explosion", keys);
   EXPECT_LT(blast.energy_drift(), 0.01);
@@ -139,7 +139,7 @@ TEST(Accuracy, point_explosion_needs_the_limiter_of_the_steps) {
 
 /// Gresho's vortex on 32 x 32 x 4: S12 Fig. 6 has classic SPH with 42 neighbours always above 0.10, and SPHS with 442
 /// below it; the form with E0 subtracted is better still.
-TEST(Accuracy, gresho_with_sphs_is_better_than_classic_and_better_still_without_E0) {
+TEST(Accuracy, GreshoWithSphsIsBetterThanClassicAndBetterStillWithoutE0) {
   const auto error = [](const char* scheme) {
     return run_scene("gresho", {{"scene.n", "32"}, {"sph.scheme", scheme}}).errors.at("v").l1;
   };
@@ -162,7 +162,7 @@ double pressure_blip(const Result& sod) {
 
 /// S12 Fig. 3: where classic SPH has a blip of the pressure at the contact, SPHS with its entropy dissipation is smooth
 /// (here: at most two thirds of it), and conserves energy to S12's 1 % (Fig. 10).
-TEST(Accuracy, sod_with_sphs_smooths_the_pressure_blip_of_classic_sph) {
+TEST(Accuracy, SodWithSphsSmoothsThePressureBlipOfClassicSph) {
   const auto run = [](const char* scheme, const char* kernel, const char* neighbours) {
     return run_scene("sod", {{"scene.n", "64"},
                              {"scene.across", "16"},
@@ -177,7 +177,7 @@ TEST(Accuracy, sod_with_sphs_smooths_the_pressure_blip_of_classic_sph) {
 
 /// Noh's problem in 1D, gamma 5/3: rho = 4 behind the shock at t/3. The plateau away from wall heating is exact jump
 /// physics.
-TEST(Accuracy, noh_in_1d_compresses_fourfold) {
+TEST(Accuracy, NohIn1dCompressesFourfold) {
   const Result noh =
       run_scene("noh", {{"scene.dimension", "1"}, {"scene.n", "100"}, {"sph.scheme", "gadget2"}, {"time.end", "0.6"}});
   const auto &x = noh.end.field("Coordinates").values, &rho = noh.end.field("Densities").values;
@@ -196,7 +196,7 @@ TEST(Accuracy, noh_in_1d_compresses_fourfold) {
 }
 
 /// Density of a lattice by the smoothing kernels of TARGETS' table, with the constraint's own h.
-TEST(Accuracy, lattice_density_is_that_of_the_kernel) {
+TEST(Accuracy, LatticeDensityIsThatOfTheKernel) {
   const struct {
     const char *kernel, *neighbours;
     double density;
@@ -219,7 +219,7 @@ TEST(Accuracy, lattice_density_is_that_of_the_kernel) {
 /// neighbour number; at them TSPH's is "two to three orders of magnitude" larger at n = 256, which at n = 32 must leave
 /// one; and OSPH's is "reduced by over an order of magnitude". At n = 32 the kernel of 442 neighbours is half as wide
 /// as a layer: half an order is asked for.
-TEST(Accuracy, E0_of_kh12_falls_with_the_neighbours_and_with_osph) {
+TEST(Accuracy, E0OfKh12FallsWithTheNeighboursAndWithOsph) {
   const auto budget = [](const char* scheme, const char* kernel, const char* neighbours, const char* temperatures) {
     return run_scene("kh12", {{"scene.n", "32"},
                               {"time.end", "4.82118"},
@@ -242,7 +242,7 @@ TEST(Accuracy, E0_of_kh12_falls_with_the_neighbours_and_with_osph) {
 }
 
 /// R10 Fig. 7: at the contact of Sod's tube SPH has a blip of the pressure, with OSPH "the pressure blip is now gone".
-TEST(Accuracy, sod_with_osph_has_no_pressure_blip) {
+TEST(Accuracy, SodWithOsphHasNoPressureBlip) {
   const auto blip = [](const char* scheme) {
     return pressure_blip(run_scene(
         "sod", {{"scene.across", "12"}, {"sph.scheme", scheme}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}}));

@@ -15,7 +15,7 @@ void count_allocation(Kokkos_Profiling_SpaceHandle, const char*, const void*, st
   ++allocations;
 }
 
-TEST(Allocation, does_not_happen_inside_a_step) {
+TEST(Allocation, DoesNotHappenInsideAStep) {
   const auto run = make_simulation(shaken_lattice(3, {8, 8, 8}, 0.2, true, 1), {.scheme = "gadget2", .neighbours = 48});
   run->step(1e9);  // the backend's scratch grows once
   Kokkos::Tools::Experimental::set_allocate_data_callback(count_allocation);

@@ -29,7 +29,7 @@ double momentum_scale(const Snapshot& snapshot) {
 class Momentum : public testing::TestWithParam<const char*> {};
 
 /// Every force has its exact opposite, so after some steps momentum has moved by roundings alone.
-TEST_P(Momentum, is_conserved_to_rounding) {
+TEST_P(Momentum, IsConservedToRounding) {
   const ParticleSet gas = shaken_lattice(3, {10, 9, 8}, 0.3, true, 3);
   const auto run = make_simulation(gas, in_double(GetParam()));
   const Totals before = run->totals();
@@ -42,7 +42,7 @@ TEST_P(Momentum, is_conserved_to_rounding) {
 INSTANTIATE_TEST_SUITE_P(Schemes, Momentum, testing::Values("sph", "tsph", "gadget2", "osph", "osph-coherent", "v10"));
 
 /// Open space: no wrapping and no walls, so angular momentum too.
-TEST(AngularMomentum, is_conserved_to_the_integrators_rounding) {
+TEST(AngularMomentum, IsConservedToTheIntegratorsRounding) {
   const ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.3, false, 4);
   const auto run = make_simulation(gas, in_double("gadget2"));
   const Totals before = run->totals();
@@ -68,7 +68,7 @@ double energy_drift(double dt) {
 
 /// Kick-drift-kick is of second order: a tenth of the step, a hundredth of the drift. The searches for h end at moves
 /// of 3e-4, which set the floor.
-TEST(Energy, drift_of_gadget2_falls_with_the_square_of_the_step) {
+TEST(Energy, DriftOfGadget2FallsWithTheSquareOfTheStep) {
   const double coarse = std::abs(energy_drift(1e-2)), fine = std::abs(energy_drift(1e-3));
   EXPECT_LT(coarse, 1e-5);
   EXPECT_LT(fine, coarse / 50) << coarse << " and " << fine;
@@ -78,7 +78,7 @@ struct EnergyForm : testing::TestWithParam<const char*> {};
 
 /// The energy form (R10 eq 18) moves energy between motion and heat pair by pair, as the time-steps vanish: with all
 /// dissipations and, for sphs, with mass that particles of unequal masses exchange.
-TEST_P(EnergyForm, conserves_the_total_to_the_order_of_the_step) {
+TEST_P(EnergyForm, ConservesTheTotalToTheOrderOfTheStep) {
   ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.25, true, 6);
   const auto drift = [&](double dt) {
     SimulationSettings s = in_double(GetParam());

@@ -116,7 +116,7 @@ class Family : public testing::TestWithParam<std::tuple<int, int>> {
 };
 
 /// R10 eq 17 and 18; with grad-h the gradient of the energy (R10 footnote 4).
-TEST_P(Family, pressure_force_and_work_are_those_of_R10) {
+TEST_P(Family, PressureForceAndWorkAreThoseOfR10) {
   std::vector<Array3> a(particles.size(), Array3{});
   std::vector<double> work(particles.size(), 0.0);
   for (int i = 0; i < int(particles.size()); ++i)
@@ -145,7 +145,7 @@ TEST_P(Family, pressure_force_and_work_are_those_of_R10) {
 }
 
 /// R10 eq 28-30.
-TEST_P(Family, leading_errors_are_those_of_R10) {
+TEST_P(Family, LeadingErrorsAreThoseOfR10) {
   const std::size_t n = particles.size();
   std::vector<Array3> E0(n, Array3{});
   std::vector<double> R(6 * n, 0.0), V(6 * n, 0.0);
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Flavours, Family, testing::Combine(testing::Range(0, 9)
                          });
 
 /// Of a pair of even gas at the same place in all respects but the nearest: contrast and distance by hand.
-TEST(Errors, contrast_and_nearest_neighbour) {
+TEST(Errors, ContrastAndNearestNeighbour) {
   ParticleSet gas = shaken_lattice(2, {10, 10, 1}, 0, true, 1);  // spacing 1/10
   gas.m.assign(100, 0.01);
   gas.u.assign(100, 1.0);
@@ -207,7 +207,7 @@ struct MarriWhite {
   using Recipes = List<Entropy>;
 };
 
-TEST(Family, takes_a_users_free_function) {
+TEST(Family, TakesAUsersFreeFunction) {
   const ParticleSet gas = shaken_lattice(2, {10, 10, 1}, 0.3, true, 5);
   SimulationSettings s{.scheme = "sph", .kernel = "cs", .precision = "double", .neighbours = 20};
   const BruteForce sums(gas, s);
@@ -229,7 +229,7 @@ TEST(Family, takes_a_users_free_function) {
 }
 
 /// What the forces of the pseudo-coherent form take from the motion their work gives to the heat, pair by pair.
-TEST(CoherentOsph, conserves_energy_to_rounding_where_u_is_integrated) {
+TEST(CoherentOsph, ConservesEnergyToRoundingWhereUIsIntegrated) {
   const ParticleSet gas = shaken_lattice(3, {8, 7, 6}, 0.3, true, 9);
   const SimulationSettings s{
       .scheme = "osph-coherent", .kernel = "cs", .precision = "double", .energy = "energy", .neighbours = 40};
@@ -262,7 +262,7 @@ double energy_drift(const std::string& scheme, double dt) {
   while (run->time() < 0.032) run->step(0.032);
   return std::abs(run->totals().energy() - before) / before;
 }
-TEST(CoherentOsph, conserves_energy_to_the_integrators_order_where_A_is_integrated) {
+TEST(CoherentOsph, ConservesEnergyToTheIntegratorsOrderWhereAIsIntegrated) {
   const double coarse = energy_drift("osph-coherent", 0.002), fine = energy_drift("osph-coherent", 0.001);
   EXPECT_LT(fine, 0.35 * coarse);  // 1/4 to leading order
   EXPECT_GT(energy_drift("osph", 0.001), 20 * fine);
@@ -270,7 +270,7 @@ TEST(CoherentOsph, conserves_energy_to_the_integrators_order_where_A_is_integrat
 
 /// V10 eq 2-7 on pairs, for the three signal velocities and without conductivity.
 class V10Heating : public testing::TestWithParam<const char*> {};
-TEST_P(V10Heating, is_that_of_V10) {
+TEST_P(V10Heating, IsThatOfV10) {
   const std::string signal = GetParam();
   const ParticleSet gas = shaken_lattice(2, {12, 11, 1}, 0.3, true, 3);
   const SimulationSettings s{.scheme = "v10",

@@ -40,7 +40,7 @@ double difference(const Snapshot& a, const Snapshot& b, const std::string& name)
   return most / scale;
 }
 
-TEST(Invariance, order_of_the_input_changes_roundings_alone) {
+TEST(Invariance, OrderOfTheInputChangesRoundingsAlone) {
   ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.3, true, 9);
   for (std::size_t i = 0; i < gas.size(); ++i) gas.id.push_back(i + 1);
   const Snapshot straight = after_steps(gas, settings_of("double"), 5);
@@ -61,7 +61,7 @@ TEST(Invariance, order_of_the_input_changes_roundings_alone) {
 
 /// A boost by 1e4 sound speeds in float pairs: relative velocities and coordinates keep their digits, so the flow is
 /// that of the box at rest but for the roundings of x and v in double (1e4 * 1e-16) and of float pairs (1e-6).
-TEST(Invariance, a_boost_changes_no_density) {
+TEST(Invariance, ABoostChangesNoDensity) {
   ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.3, true, 10);
   const Snapshot rest = after_steps(gas, settings_of("mixed"), 10);
   for (Array3& v : gas.v) v[0] += 1e4, v[1] -= 5e3;
@@ -72,7 +72,7 @@ TEST(Invariance, a_boost_changes_no_density) {
 
 /// Searches for h end at moves of 3e-3 in mixed runs, and the slopes that forces read are those before the move: that,
 /// not float rounding, bounds the difference.
-TEST(Invariance, mixed_follows_double) {
+TEST(Invariance, MixedFollowsDouble) {
   const ParticleSet gas = shaken_lattice(3, {10, 10, 10}, 0.2, true, 11);
   const Snapshot single = after_steps(gas, settings_of("mixed"), 10),
                  full = after_steps(gas, settings_of("double"), 10);

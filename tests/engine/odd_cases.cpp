@@ -50,7 +50,7 @@ std::string message_of(const ParticleSet& gas, const SimulationSettings& setting
   return "no error";
 }
 
-TEST(OddCases, one_particle_stays_where_it_is) {
+TEST(OddCases, OneParticleStaysWhereItIs) {
   const auto run = make_simulation(gas_at({{0.5, 0.5, 0.5}}), settings_for(48));
   run->step(0.1);
   const Snapshot end = run->snapshot();
@@ -58,18 +58,18 @@ TEST(OddCases, one_particle_stays_where_it_is) {
   EXPECT_FALSE(run->warnings().empty()) << "it cannot have 48 neighbours, and the user is told";
 }
 
-TEST(OddCases, one_particle_in_a_periodic_box_sees_its_images) {
+TEST(OddCases, OneParticleInAPeriodicBoxSeesItsImages) {
   const auto run = make_simulation(gas_at({{0.2, 0.7, 0.1}}, 3, true), settings_for(48));
   // A cubic lattice of spacing 1 and mass 1: the density of V h^3 n = 48 is 1 to the kernel's sampling error.
   EXPECT_NEAR(run->snapshot().field("Densities").values[0], 1.0, 0.01);
   expect_finite_run(gas_at({{0.2, 0.7, 0.1}}, 3, true), settings_for(48));
 }
 
-TEST(OddCases, two_particles_far_apart) {
+TEST(OddCases, TwoParticlesFarApart) {
   expect_finite_run(gas_at({{0, 0, 0}, {1e6, 0, 0}}), settings_for(48));
 }
 
-TEST(OddCases, coincident_particles_feel_no_force_from_each_other) {
+TEST(OddCases, CoincidentParticlesFeelNoForceFromEachOther) {
   ParticleSet gas = shaken_lattice(3, {6, 6, 6}, 0.2, true, 1);
   gas.x[1] = gas.x[0];
   for (int k = 10; k < 20; ++k) gas.x[k] = gas.x[10];
@@ -79,11 +79,11 @@ TEST(OddCases, coincident_particles_feel_no_force_from_each_other) {
   EXPECT_NE(warnings[0].find("coincident"), std::string::npos);
 }
 
-TEST(OddCases, all_particles_at_one_point) {
+TEST(OddCases, AllParticlesAtOnePoint) {
   expect_finite_run(gas_at(std::vector<Array3>(100, {0.5, 0.5, 0.5})), settings_for(48));
 }
 
-TEST(OddCases, all_on_a_line_and_all_in_a_plane) {
+TEST(OddCases, AllOnALineAndAllInAPlane) {
   std::vector<Array3> line, plane;
   for (int k = 0; k < 200; ++k) line.push_back({k / 200.0, 0.5, 0.5});
   for (int k = 0; k < 400; ++k) plane.push_back({k % 20 / 20.0, k / 20 / 20.0, 0.5});
@@ -91,7 +91,7 @@ TEST(OddCases, all_on_a_line_and_all_in_a_plane) {
   expect_finite_run(gas_at(plane), settings_for(32));
 }
 
-TEST(OddCases, a_box_of_a_thousand_to_one_to_one) {
+TEST(OddCases, ABoxOfAThousandToOneToOne) {
   ParticleSet gas = shaken_lattice(3, {1000, 1, 1}, 0.2, true, 2);
   const BruteForce wanted(gas, settings_for(48));
   const auto run = make_simulation(gas, settings_for(48));
@@ -99,7 +99,7 @@ TEST(OddCases, a_box_of_a_thousand_to_one_to_one) {
   for (std::size_t i = 0; i < rho.size(); ++i) ASSERT_NEAR(rho[i], wanted.rho[i], 1e-9 * wanted.rho[i]);
 }
 
-TEST(OddCases, errors_name_the_particle_and_the_remedy) {
+TEST(OddCases, ErrorsNameTheParticleAndTheRemedy) {
   ParticleSet gas = shaken_lattice(3, {4, 4, 4}, 0.2, true, 2);
   EXPECT_NE(message_of(gas_at({}), settings_for(48)).find("no gas particles"), std::string::npos);
   gas.m[5] = -1;
@@ -111,7 +111,7 @@ TEST(OddCases, errors_name_the_particle_and_the_remedy) {
   EXPECT_NE(message_of(gas, settings_for(10)).find("the particle itself"), std::string::npos);
 }
 
-TEST(OddCases, a_time_step_that_vanishes_names_the_particle_and_the_remedy) {
+TEST(OddCases, ATimeStepThatVanishesNamesTheParticleAndTheRemedy) {
   ParticleSet gas = gas_at({{0.5, 0.5, 0.5}, {0.6, 0.5, 0.5}});
   gas.id = {70, 30};
   gas.time = 1;

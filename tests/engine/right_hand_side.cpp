@@ -35,7 +35,7 @@ class RightHandSide : public testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(RightHandSide, equals_the_explicit_sums) {
+TEST_P(RightHandSide, EqualsTheExplicitSums) {
   const ParticleSet gas = particles();
   const SimulationSettings s = settings();
   const BruteForce wanted(gas, s);
@@ -51,7 +51,7 @@ TEST_P(RightHandSide, equals_the_explicit_sums) {
 }
 
 /// Float pairs: 6e-8 per operation on terms of either sign; the sums hold some hundred of them.
-TEST_P(RightHandSide, of_mixed_precision_stays_within_float_rounding) {
+TEST_P(RightHandSide, OfMixedPrecisionStaysWithinFloatRounding) {
   const ParticleSet gas = particles();
   SimulationSettings s = settings();
   const BruteForce wanted(gas, s);

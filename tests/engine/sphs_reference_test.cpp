@@ -88,7 +88,7 @@ class SphsReferenceIn : public testing::TestWithParam<int> {
 
 // The QR loses sqrt(condition), the condition number of its rows, of the digits of the largest coefficient; those of a
 // flow with |G|, |H| <= 2 are below 10 for h < 1. dv/dx is a coefficient over h, a second derivative over h^2.
-TEST_P(SphsReferenceIn, the_fit_reproduces_a_quadratic_flow) {
+TEST_P(SphsReferenceIn, TheFitReproducesAQuadraticFlow) {
   const QuadraticFlow flow(D, D == 1 ? 60 : 250, 3);
   const SphsReference sphs(flow.gas, settings);
   const double n_s = 0.05, epsilon = 2.2e-16;
@@ -116,7 +116,7 @@ TEST_P(SphsReferenceIn, the_fit_reproduces_a_quadratic_flow) {
   }
 }
 
-TEST_P(SphsReferenceIn, dissipation_conserves_and_heats) {
+TEST_P(SphsReferenceIn, DissipationConservesAndHeats) {
   const std::vector<double> full(gas.size(), 1);
   const SphsReference sphs(gas, settings, {.balsara = BalsaraOn::nothing, .alpha = full});
   expect_zero(sphs.budget(sphs.viscosity));
@@ -124,14 +124,14 @@ TEST_P(SphsReferenceIn, dissipation_conserves_and_heats) {
   for (const double heating : sphs.viscosity.du) EXPECT_GE(heating, 0);
 }
 
-TEST_P(SphsReferenceIn, the_switch_of_uneven_gas_is_on_and_every_term_acts) {
+TEST_P(SphsReferenceIn, TheSwitchOfUnevenGasIsOnAndEveryTermActs) {
   const SphsReference sphs(gas, settings);
   EXPECT_GT(*std::max_element(sphs.alpha.begin(), sphs.alpha.end()), 0.01);
   for (const auto* rates : {&sphs.viscosity.du, &sphs.entropy.du, &sphs.mass.du, &sphs.mass.dm})
     EXPECT_GT(*std::max_element(rates->begin(), rates->end()), 0);
 }
 
-TEST_P(SphsReferenceIn, every_form_of_mass_exchange_conserves_at_fixed_density) {
+TEST_P(SphsReferenceIn, EveryFormOfMassExchangeConservesAtFixedDensity) {
   for (const MassForm form : {MassForm::s12, MassForm::appendix_e, MassForm::donor}) {
     const SphsReference sphs(gas, settings, {.mass = form, .pay_for_density = false});
     expect_zero(sphs.budget(sphs.mass));
@@ -140,7 +140,7 @@ TEST_P(SphsReferenceIn, every_form_of_mass_exchange_conserves_at_fixed_density) 
   }
 }
 
-TEST_P(SphsReferenceIn, with_the_density_paid_for_the_whole_energy_is_conserved) {
+TEST_P(SphsReferenceIn, WithTheDensityPaidForTheWholeEnergyIsConserved) {
   for (const MassForm form : {MassForm::s12, MassForm::appendix_e, MassForm::donor}) {
     const SphsReference sphs(gas, settings, {.mass = form});
     const Budget budget = sphs.budget(sphs.mass);
@@ -150,7 +150,7 @@ TEST_P(SphsReferenceIn, with_the_density_paid_for_the_whole_energy_is_conserved)
   }
 }
 
-TEST_P(SphsReferenceIn, pressure_forces_conserve_what_they_promise) {
+TEST_P(SphsReferenceIn, PressureForcesConserveWhatTheyPromise) {
   const auto of = [&](MomentumForm form) {
     const SphsReference sphs(gas, settings, {.momentum = form});
     return sphs.budget(sphs.pressure);
@@ -181,7 +181,7 @@ Sum energy_after(double dt, ParticleSet gas, const SimulationSettings& settings,
 
 // A central difference over 2 dt: with rates of up to about 100 per unit time it is cut off at (100 dt)^2 / 6 = 2e-7 of
 // the parts' rates, and the energy, known to 1e-15, adds 1e-10. Unpaid, the energy drifts by 1e-3 of them.
-TEST_P(SphsReferenceIn, the_energy_of_the_moved_gas_stays) {
+TEST_P(SphsReferenceIn, TheEnergyOfTheMovedGasStays) {
   const double dt = 1e-5;
   const auto drift = [&](const SphsReference& sphs) {
     return (energy_after(dt, gas, settings, sphs).value - energy_after(-dt, gas, settings, sphs).value) / (2 * dt);
@@ -211,7 +211,7 @@ Boosted boosted(ParticleSet gas, const SimulationSettings& settings, MassForm fo
 // With F_ij from i's side and dm = sum F: S12 eq 39 adds -(dm/m) V and eq 40 (dm/m)(v.V + V^2/2); eq E6 adds (dm/m) V
 // and eq E8 sum F/m (v_j.V + V^2/2) = dv.V + (dm/m) V^2/2. The donor form holds differences only and adds nothing.
 // alpha follows from fits whose rounding grows with V^2 and with their condition: 1e-10 of the rates.
-TEST_P(SphsReferenceIn, a_moving_observer_sees_the_donor_form_unchanged_and_the_others_changed) {
+TEST_P(SphsReferenceIn, AMovingObserverSeesTheDonorFormUnchangedAndTheOthersChanged) {
   for (const MassForm form : {MassForm::s12, MassForm::appendix_e, MassForm::donor}) {
     const auto [V, rest, moving] = boosted(gas, settings, form);
     const double V2 = dot(V, V), most = *std::max_element(rest.dm.begin(), rest.dm.end());
@@ -264,7 +264,7 @@ void expect_pair(const std::vector<Array3>& got, double first, double second) {
   expect_pair({got[0][0], got[1][0]}, first, second);
 }
 
-TEST_F(TwoParticles, pressure_viscosity_and_entropy_by_hand) {
+TEST_F(TwoParticles, PressureViscosityAndEntropyByHand) {
   const SphsReference sphs = rates({});
   expect_pair(sphs.gas.h, 1, 1);
   expect_pair(sphs.gas.rho, 2, 3);
@@ -281,7 +281,7 @@ TEST_F(TwoParticles, pressure_viscosity_and_entropy_by_hand) {
 
 // F = m_12/rho_12 v_sig L (m_2 - m_1) |W'| = 0.6 9 (5/7) 2 flows to the first; the densities gain F (4/3 - 1/3) and
 // lose as much; P/rho^2 = 1, 8/3.
-TEST_F(TwoParticles, mass_exchange_by_hand) {
+TEST_F(TwoParticles, MassExchangeByHand) {
   const double F = 54.0 / 7;
   const auto mass = [&](MassForm form, bool pay) { return rates({.mass = form, .pay_for_density = pay}).mass; };
   expect_pair(mass(MassForm::donor, false).dm, F, -F);

@@ -36,7 +36,7 @@ SphsOptions options_of(const Case& c) {
 
 class SphsRightHandSide : public testing::TestWithParam<Case> {};
 
-TEST_P(SphsRightHandSide, equals_the_explicit_sums) {
+TEST_P(SphsRightHandSide, EqualsTheExplicitSums) {
   const Case& c = GetParam();
   ParticleSet gas = shaken_lattice(c.dimension, c.counts, 0.3, c.periodic, 11);
   if (c.equal_masses) gas.m.assign(gas.size(), gas.m[0]);
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Where u is integrated, A changes by what the work of eq 7 is more than the adiabatic one, beside dissipation; and
 /// what exchanged mass does to rho costs nothing.
-TEST(SphsEnergyForm, entropy_rate_equals_the_explicit_sums) {
+TEST(SphsEnergyForm, EntropyRateEqualsTheExplicitSums) {
   const ParticleSet gas = shaken_lattice(3, {9, 8, 9}, 0.3, true, 11);
   SimulationSettings s;
   s.scheme = "sphs", s.kernel = "hoct4", s.neighbours = 128, s.precision = "double", s.energy = "energy";
@@ -101,7 +101,7 @@ TEST(SphsEnergyForm, entropy_rate_equals_the_explicit_sums) {
 }
 
 /// P_i = [sum_j m_j A_j^(1/gamma) Wbar]^gamma (S12 eq 20), the pair of i with itself included, in S12 eq 7.
-TEST(SphsRt, pressure_and_force_equal_the_explicit_sums) {
+TEST(SphsRt, PressureAndForceEqualTheExplicitSums) {
   ParticleSet gas = shaken_lattice(3, {9, 8, 9}, 0.3, true, 11);
   gas.m.assign(gas.size(), gas.m[0]);
   SimulationSettings s;
@@ -130,7 +130,7 @@ TEST(SphsRt, pressure_and_force_equal_the_explicit_sums) {
 }
 
 /// v = a + B x + x C x on random places: div v = tr B + sum_k 2 (C^c_kc) x, and its gradient, are exact.
-TEST(SphsGradients, of_a_quadratic_flow_through_random_places_are_exact) {
+TEST(SphsGradients, OfAQuadraticFlowThroughRandomPlacesAreExact) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> place(0, 1);
   ParticleSet gas;
@@ -156,7 +156,7 @@ TEST(SphsGradients, of_a_quadratic_flow_through_random_places_are_exact) {
 
 /// All neighbours in a plane, or on a line: no second-order fit in 3D, and no linear one either; the SPH estimate
 /// serves, and is reported.
-TEST(SphsGradients, of_degenerate_neighbours_fall_back_and_are_counted) {
+TEST(SphsGradients, OfDegenerateNeighboursFallBackAndAreCounted) {
   for (const Array3 counts : {Array3{12, 12, 1}, Array3{60, 1, 1}}) {
     ParticleSet gas = shaken_lattice(2, counts, 0.2, false, 5);
     gas.dimension = 3;

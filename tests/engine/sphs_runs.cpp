@@ -35,7 +35,7 @@ Snapshot after_steps(const ParticleSet& gas, const SimulationSettings& s, int st
 }
 
 /// F_ij = -F_ji, so on global steps mass moves without loss; what it brings along loses momentum by dt^2 alone.
-TEST(SphsRun, exchanged_mass_is_conserved_to_rounding) {
+TEST(SphsRun, ExchangedMassIsConservedToRounding) {
   const ParticleSet gas = unequal_gas(0);
   const auto run = make_simulation(gas, in_double());
   const double before = run->totals().mass;
@@ -49,7 +49,7 @@ TEST(SphsRun, exchanged_mass_is_conserved_to_rounding) {
 
 /// Two runs of 5 steps, one in a box that moves at 20: velocities apart from the boost, masses and energies must agree
 /// to the rounding of positions and velocities (1e-15 of 20, over steps that amplify it a little).
-TEST(SphsRun, a_boost_changes_nothing_with_the_donors_correction) {
+TEST(SphsRun, ABoostChangesNothingWithTheDonorsCorrection) {
   const Snapshot rest = after_steps(unequal_gas(0), in_double(), 5),
                  moving = after_steps(unequal_gas(20), in_double(), 5);
   EXPECT_LT(largest_difference(rest.field("InternalEnergies"), moving.field("InternalEnergies")), 1e-10);
@@ -57,7 +57,7 @@ TEST(SphsRun, a_boost_changes_nothing_with_the_donors_correction) {
 }
 
 /// S12's own correction stops the particle that gains mass, in whatever frame that is (S12 eq 39).
-TEST(SphsRun, a_boost_changes_the_result_of_s12s_correction) {
+TEST(SphsRun, ABoostChangesTheResultOfS12sCorrection) {
   SimulationSettings s = in_double();
   s.numbers.set("dissipation.mass_form", 3);  // particle
   const Snapshot rest = after_steps(unequal_gas(0), s, 5), moving = after_steps(unequal_gas(20), s, 5);
@@ -65,7 +65,7 @@ TEST(SphsRun, a_boost_changes_the_result_of_s12s_correction) {
 }
 
 /// Strengths of zero leave an adiabatic gas: the entropies stay as they were.
-TEST(SphsRun, without_strengths_there_is_no_dissipation) {
+TEST(SphsRun, WithoutStrengthsThereIsNoDissipation) {
   SimulationSettings s = in_double();
   s.numbers = {{"viscosity.alpha", 0}, {"dissipation.entropy", 0}, {"dissipation.mass", 0}};
   const ParticleSet gas = unequal_gas(0);
@@ -77,7 +77,7 @@ TEST(SphsRun, without_strengths_there_is_no_dissipation) {
 
 /// A sound wave over a density step, with global steps and with steps of the particles' own: the same flow to second
 /// order of the steps, at fewer updates.
-TEST(SphsRun, own_steps_follow_the_same_flow_with_fewer_updates) {
+TEST(SphsRun, OwnStepsFollowTheSameFlowWithFewerUpdates) {
   ParticleSet gas = shaken_lattice(3, {24, 6, 6}, 0.05, true, 9);
   gas.m.assign(gas.size(), gas.m[0]);
   for (std::size_t i = 0; i < gas.size(); ++i) {
@@ -102,7 +102,7 @@ TEST(SphsRun, own_steps_follow_the_same_flow_with_fewer_updates) {
 }
 
 /// In the midst of a block of steps another end is asked for: the run stops there, all particles in step.
-TEST(SphsRun, own_steps_end_where_they_are_told_to) {
+TEST(SphsRun, OwnStepsEndWhereTheyAreToldTo) {
   SimulationSettings s = in_double();
   s.steps = own_steps;
   const auto run = make_simulation(unequal_gas(0), s);

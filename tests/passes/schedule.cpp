@@ -51,7 +51,7 @@ struct ScheduleTest : testing::Test {
   }
 };
 
-TEST_F(ScheduleTest, steps_are_the_largest_powers_of_two_that_were_asked) {
+TEST_F(ScheduleTest, StepsAreTheLargestPowersOfTwoThatWereAsked) {
   ask_at_random();
   run.schedule.limiter = false;
   assign_steps(run.state, run.schedule, 0);
@@ -63,7 +63,7 @@ TEST_F(ScheduleTest, steps_are_the_largest_powers_of_two_that_were_asked) {
   }
 }
 
-TEST_F(ScheduleTest, steps_begin_where_steps_of_their_length_do) {
+TEST_F(ScheduleTest, StepsBeginWhereStepsOfTheirLengthDo) {
   ask_at_random();
   const Ticks start = 3 * (StepClock::block / 8);
   assign_steps(run.state, run.schedule, start);
@@ -74,7 +74,7 @@ TEST_F(ScheduleTest, steps_begin_where_steps_of_their_length_do) {
 }
 
 /// In the first block no step is longer than what the run has behind it, whatever is asked: steps double at most.
-TEST_F(ScheduleTest, steps_double_at_most_when_a_run_starts) {
+TEST_F(ScheduleTest, StepsDoubleAtMostWhenARunStarts) {
   ask_at_random();
   run.schedule.starting = true;
   run.schedule.limiter = false;
@@ -92,7 +92,7 @@ TEST_F(ScheduleTest, steps_double_at_most_when_a_run_starts) {
   EXPECT_LT(as_long, run.state.n);
 }
 
-TEST_F(ScheduleTest, neighbours_stay_within_a_factor_four) {
+TEST_F(ScheduleTest, NeighboursStayWithinAFactorFour) {
   ask_at_random();
   assign_steps(run.state, run.schedule, 0);
   Ticks shortest = StepClock::block, longest = 0;
@@ -109,7 +109,7 @@ TEST_F(ScheduleTest, neighbours_stay_within_a_factor_four) {
 
 /// One particle ends a short step and asks for 1/64 of the block; all others sleep through it. Its neighbours are woken
 /// to 1/16, theirs to 1/4; who is further away may sleep on.
-TEST_F(ScheduleTest, a_sleeping_neighbour_is_woken_at_once) {
+TEST_F(ScheduleTest, ASleepingNeighbourIsWokenAtOnce) {
   auto& state = run.state;
   const Ticks now = StepClock::block / 4, asked = StepClock::block / 64;
   const int hot = 100;

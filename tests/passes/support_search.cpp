@@ -20,7 +20,7 @@ Result follow(SupportSearch& search, N n, Slope dn, double neighbours, double h_
 }
 
 /// An even gas has n = 1 whatever h: 4 pi/3 h^3 = N_n.
-TEST(SupportSearch, finds_the_root_of_an_even_gas_from_either_side) {
+TEST(SupportSearch, FindsTheRootOfAnEvenGasFromEitherSide) {
   const double root = std::cbrt(48 * 3 / (4 * M_PI));
   for (const double start : {root / 100, root / 2, root, 3 * root, 1000 * root}) {
     SupportSearch search{start};
@@ -32,7 +32,7 @@ TEST(SupportSearch, finds_the_root_of_an_even_gas_from_either_side) {
 }
 
 /// A step in the neighbour number has no root: bisection closes on the step.
-TEST(SupportSearch, ends_at_a_jump_by_bisection) {
+TEST(SupportSearch, EndsAtAJumpByBisection) {
   SupportSearch search{1.0};
   const auto n = [](double h) { return h < 2 ? 1e-3 : 100.0; };
   const Result result = follow(
@@ -42,7 +42,7 @@ TEST(SupportSearch, ends_at_a_jump_by_bisection) {
   EXPECT_NEAR(search.h, 2, 1e-6);
 }
 
-TEST(SupportSearch, is_capped_where_there_are_too_few) {
+TEST(SupportSearch, IsCappedWhereThereAreTooFew) {
   SupportSearch search{1.0};
   EXPECT_EQ(
       follow(
@@ -51,7 +51,7 @@ TEST(SupportSearch, is_capped_where_there_are_too_few) {
   EXPECT_EQ(search.h, 7.0);
 }
 
-TEST(SupportSearch, says_crowded_where_coincident_particles_are_too_many) {
+TEST(SupportSearch, SaysCrowdedWhereCoincidentParticlesAreTooMany) {
   SupportSearch search{1.0};  // V n h^3 = 100 for every h
   const double number = 100 / (4 * M_PI / 3);
   const auto n = [&](double h) { return number / (h * h * h); };
@@ -60,7 +60,7 @@ TEST(SupportSearch, says_crowded_where_coincident_particles_are_too_many) {
             Result::crowded);
 }
 
-TEST(SupportSearch, gives_up_on_what_is_not_a_number) {
+TEST(SupportSearch, GivesUpOnWhatIsNotANumber) {
   SupportSearch search{1.0};
   EXPECT_EQ(follow(
                 search, [](double) { return std::nan(""); }, [](double) { return 0.0; }, 48),

@@ -39,7 +39,7 @@ void expect_close(const std::vector<double>& a, const std::vector<double>& b, do
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], relative * scale) << i;
 }
 
-TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
+TEST_F(ThreadWalkTest, RatesEqualThoseOfTheTiles) {
   const S::RateTerms terms(run.given);
   const Columns<3, Adds> tiles("tiles", run.state.n), threads("threads", run.state.n);
   const State<S> state{run.state.as<S::Layout>(), smoothing};
@@ -52,7 +52,7 @@ TEST_F(ThreadWalkTest, rates_equal_those_of_the_tiles) {
   expect_close(field<MaxSignalVelocity>(threads), field<MaxSignalVelocity>(tiles), 1e-13);
 }
 
-TEST_F(ThreadWalkTest, supports_equal_those_of_the_tiles) {
+TEST_F(ThreadWalkTest, SupportsEqualThoseOfTheTiles) {
   const std::vector<double> h = field<Support>(run.state.columns), rho = field<Density>(run.state.columns);
   for (int i = 0; i < run.state.n; ++i) run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
   SupportCounts counts;

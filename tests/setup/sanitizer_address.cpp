@@ -20,23 +20,23 @@ class Sanitizer : public testing::Test {
 };
 using SanitizerDeathTest = Sanitizer;
 
-TEST_F(SanitizerDeathTest, catches_a_read_behind_the_heap) {
+TEST_F(SanitizerDeathTest, CatchesAReadBehindTheHeap) {
   const auto numbers = std::make_unique<int[]>(8);
   EXPECT_DEATH(std::exit(numbers[std::size_t(7 + one())]), "heap-buffer-overflow");
 }
 
-TEST_F(SanitizerDeathTest, catches_a_read_of_freed_memory) {
+TEST_F(SanitizerDeathTest, CatchesAReadOfFreedMemory) {
   auto number = std::make_unique<int>(1);
   const int* const place = number.get();
   number.reset();
   EXPECT_DEATH(std::exit(*place), "heap-use-after-free");
 }
 
-TEST_F(SanitizerDeathTest, catches_a_signed_overflow) {
+TEST_F(SanitizerDeathTest, CatchesASignedOverflow) {
   EXPECT_DEATH(std::exit(std::numeric_limits<int>::max() + one()), "signed integer overflow");
 }
 
-TEST_F(SanitizerDeathTest, catches_an_index_behind_an_array) {
+TEST_F(SanitizerDeathTest, CatchesAnIndexBehindAnArray) {
   int numbers[4] = {};
   EXPECT_DEATH(std::exit(numbers[3 + one()]), "index 4 out of bounds");
 }
@@ -48,7 +48,7 @@ TEST_F(SanitizerDeathTest, catches_an_index_behind_an_array) {
   lost = nullptr;
 }
 
-TEST_F(SanitizerDeathTest, catches_a_leak) {
+TEST_F(SanitizerDeathTest, CatchesALeak) {
   const auto leave = [] {
     lose_numbers();
     std::exit(0);
@@ -56,7 +56,7 @@ TEST_F(SanitizerDeathTest, catches_a_leak) {
   EXPECT_DEATH(leave(), "detected memory leaks");
 }
 
-TEST_F(SanitizerDeathTest, view_bounds_are_checked_inside_a_larger_allocation) {
+TEST_F(SanitizerDeathTest, ViewBoundsAreCheckedInsideALargerAllocation) {
   const Kokkos::View<int[4][4]> numbers("numbers");
   EXPECT_DEATH(std::exit(numbers(0, 3 + one())), "out of bounds access");
 }

@@ -33,15 +33,15 @@ void race_and_leave(Policy policy) {
   std::exit(0);
 }
 
-TEST_F(SanitizerDeathTest, catches_a_race) {
+TEST_F(SanitizerDeathTest, CatchesARace) {
   EXPECT_EXIT(race_and_leave(Kokkos::RangePolicy<>(0, 100000)), testing::ExitedWithCode(66), "data race");
 }
 
-TEST_F(SanitizerDeathTest, catches_a_race_of_teams) {
+TEST_F(SanitizerDeathTest, CatchesARaceOfTeams) {
   EXPECT_EXIT(race_and_leave(Teams(3000000, 1)), testing::ExitedWithCode(66), "data race");
 }
 
-TEST_F(SanitizerDeathTest, does_not_take_a_reduction_for_one) {
+TEST_F(SanitizerDeathTest, DoesNotTakeAReductionForOne) {
   EXPECT_EXIT(
       {
         int sum = 0;

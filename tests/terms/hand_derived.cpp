@@ -8,27 +8,27 @@ namespace {
 
 constexpr double rounding = 1e-14;
 
-TEST(Terms, pressure_gradient_of_sph) {
+TEST(Terms, PressureGradientOfSph) {
   const TwoParticles<double, 1> p;
   // -m_j (P_i/rho_i^2 + P_j/rho_j^2) dWbar/dr, e = +1: P/rho^2 = 2.4 and 14.4.
   const double wanted = -2 * (2.4 + 14.4) * 0.5 * (dW_i_1d + dW_j_1d);
   EXPECT_NEAR((share<PressureGradientSph, double, 1>(p.i, p.j).a[0]), wanted, rounding * std::abs(wanted));
 }
 
-TEST(Terms, pressure_gradient_of_tsph) {
+TEST(Terms, PressureGradientOfTsph) {
   const TwoParticles<double, 1> p;
   const double wanted = -2 * (0.6 + 0.9) / (0.5 * 0.25) * 0.5 * (dW_i_1d + dW_j_1d);
   EXPECT_NEAR((share<PressureGradientTsph, double, 1>(p.i, p.j).a[0]), wanted, rounding * std::abs(wanted));
 }
 
-TEST(Terms, conservative_pressure_gradient) {
+TEST(Terms, ConservativePressureGradient) {
   const TwoParticles<double, 1> p;
   // -[P_i/rho_i^2 (m_j + z_i) dW(h_i) + (m_j/m_i) P_j/rho_j^2 (m_i + z_j) dW(h_j)], z = 1/8 and -1/4.
   const double wanted = -(2.4 * (2 + 0.125) * dW_i_1d + 2 * 14.4 * (1 - 0.25) * dW_j_1d);
   EXPECT_NEAR((share<PressureGradientConservative, double, 1>(p.i, p.j).a[0]), wanted, rounding * std::abs(wanted));
 }
 
-TEST(Terms, pressure_work) {
+TEST(Terms, PressureWork) {
   const TwoParticles<double, 1> p;
   // P_i/rho_i^2 m_j v_ij . grad Wbar, v_ij = -1: compression heats.
   const double wanted = 2.4 * 2 * -1 * 0.5 * (dW_i_1d + dW_j_1d);
@@ -36,14 +36,14 @@ TEST(Terms, pressure_work) {
   EXPECT_NEAR((share<PressureWork, double, 1>(p.i, p.j).du), wanted, rounding * wanted);
 }
 
-TEST(Terms, pressure_work_of_tsph) {
+TEST(Terms, PressureWorkOfTsph) {
   const TwoParticles<double, 1> p;
   // P_i/rho_i m_j/rho_j v_ij . grad Wbar.
   const double wanted = 0.6 / 0.5 * 2 / 0.25 * -1 * 0.5 * (dW_i_1d + dW_j_1d);
   EXPECT_NEAR((share<PressureWorkTsph, double, 1>(p.i, p.j).du), wanted, rounding * wanted);
 }
 
-TEST(Terms, gingold_monaghan_viscosity) {
+TEST(Terms, GingoldMonaghanViscosity) {
   const TwoParticles<double, 1> p;
   // hs = 5/4; mu = hs (v.r)/(r^2 + 0.01 hs^2) = 1.25 * -1.5/(2.25 + 0.015625); c = sqrt(2), sqrt(6); Balsara mean 3/4;
   // rho_ij = 3/8; Pi = (-alpha cbar mu + beta mu^2)/rho_ij * 3/4.
@@ -56,7 +56,7 @@ TEST(Terms, gingold_monaghan_viscosity) {
   EXPECT_GT(sum.du, 0) << "viscosity heats";
 }
 
-TEST(Terms, signal_velocity_viscosity) {
+TEST(Terms, SignalVelocityViscosity) {
   const TwoParticles<double, 1> p;
   // v_sig = c_i + c_j - 3 w, w = -1; Pi = -(alpha/2) v_sig w / rho_ij times the mean Balsara factor 3/4.
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, Pi = 0.5 * 0.8 * v_sig / 0.375 * 0.75;
@@ -66,7 +66,7 @@ TEST(Terms, signal_velocity_viscosity) {
   EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
 }
 
-TEST(Terms, switched_viscosity) {
+TEST(Terms, SwitchedViscosity) {
   const TwoParticles<double, 1> p;
   // v_sig = c_i + c_j - 3 w, w = -1; Pi = -(alpha_v/2) alpha_ij v_sig w / rho_ij, alpha_ij = (1/2 + 1/4)/2.
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, Pi = 0.5 * 0.8 * 0.375 * v_sig / 0.375;
@@ -76,7 +76,7 @@ TEST(Terms, switched_viscosity) {
   EXPECT_NEAR(sum.du, -Pi * dW, 4 * rounding * std::abs(Pi * dW));
 }
 
-TEST(Terms, entropy_dissipation) {
+TEST(Terms, EntropyDissipation) {
   const TwoParticles<double, 1> p;
   // (m_j/rho_ij) alpha_ij v_sig^p L_ij (u_i - u_j) dWbar: alpha_ij = (3/4 + 3/8)/2, L = 0.3/1.5, u = P/((gamma-1) rho).
   const double v_sig = std::sqrt(2.0) + std::sqrt(6.0) + 3, dW = 0.5 * (dW_i_1d + dW_j_1d);
@@ -85,7 +85,7 @@ TEST(Terms, entropy_dissipation) {
   EXPECT_NEAR((share<EntropyDissipation<>, double, 1>(p.i, p.j, given).du), wanted, 8 * rounding * wanted);
 }
 
-TEST(Terms, largest_signal_velocity) {
+TEST(Terms, LargestSignalVelocity) {
   TwoParticles<double, 1> p;
   const double wanted = std::sqrt(2.0) + std::sqrt(6.0) + 3;
   EXPECT_NEAR((share<SignalVelocity, double, 1>(p.i, p.j).v_sig), wanted, rounding * wanted);
@@ -94,7 +94,7 @@ TEST(Terms, largest_signal_velocity) {
   EXPECT_NEAR((share<SignalVelocity, double, 1>(p.j, p.j).v_sig), 2 * std::sqrt(6.0), 1e-14) << "the self pair: 2 c";
 }
 
-TEST(Terms, largest_signal_velocity_of_monaghan) {
+TEST(Terms, LargestSignalVelocityOfMonaghan) {
   const TwoParticles<double, 1> p;
   const Given given{{"viscosity.alpha", 1.5}, {"viscosity.beta", 3}};
   const double mu = -1.875 / 2.265625, wanted = 2 * (2.5 * std::sqrt(2.0) - 3 * mu);
@@ -102,7 +102,7 @@ TEST(Terms, largest_signal_velocity_of_monaghan) {
   EXPECT_NEAR((share<SignalVelocityMonaghan, double, 1>(p.i, p.i, given).v_sig), 5 * std::sqrt(2.0), rounding * wanted);
 }
 
-TEST(Terms, velocity_divergence_and_kernel_of_a_gather_pair) {
+TEST(Terms, VelocityDivergenceAndKernelOfAGatherPair) {
   const TwoParticles<double, 1> p;
   Values<double, 1, VelocityDivergenceSum::Adds> sum;
   set_zero(sum);
@@ -114,7 +114,7 @@ TEST(Terms, velocity_divergence_and_kernel_of_a_gather_pair) {
   EXPECT_NEAR(sum.div_v, -2 * -1 * dW_i_1d, rounding) << "not yet divided by rho: converging flow, negative";
 }
 
-TEST(Terms, curl_of_a_pair_in_two_dimensions) {
+TEST(Terms, CurlOfAPairInTwoDimensions) {
   const TwoParticles<double, 2> p;
   VelocityCurlSum term;
   Values<double, 2, VelocityCurlSum::Adds> sum;

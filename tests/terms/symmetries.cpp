@@ -13,14 +13,14 @@ using ForceTerms = testing::Types<PressureGradientSph, PressureGradientTsph, Pre
                                   ViscosityGingoldMonaghan<>, ViscositySignalVelocity<>, ViscositySwitched<>>;
 TYPED_TEST_SUITE(Symmetries, ForceTerms);
 
-TYPED_TEST(Symmetries, action_is_minus_reaction) {
+TYPED_TEST(Symmetries, ActionIsMinusReaction) {
   const TwoParticles<double, 3> p;
   const auto on_i = share<TypeParam, double, 3>(p.i, p.j), on_j = share<TypeParam, double, 3>(p.j, p.i);
   for (int d = 0; d < 3; ++d)
     EXPECT_NEAR(p.i.m * on_i.a[d], -p.j.m * on_j.a[d], 1e-15 * std::abs(p.i.m * on_i.a[0])) << "component " << d;
 }
 
-TYPED_TEST(Symmetries, is_galilean_invariant) {
+TYPED_TEST(Symmetries, IsGalileanInvariant) {
   TwoParticles<double, 3> p;
   const auto at_rest = share<TypeParam, double, 3>(p.i, p.j);
   // A boost by a power of two leaves v_ij exact.
@@ -29,14 +29,14 @@ TYPED_TEST(Symmetries, is_galilean_invariant) {
   for (int d = 0; d < 3; ++d) EXPECT_EQ(at_rest.a[d], boosted.a[d]);
 }
 
-TYPED_TEST(Symmetries, leaves_coincident_particles_alone) {
+TYPED_TEST(Symmetries, LeavesCoincidentParticlesAlone) {
   TwoParticles<double, 3> p;
   p.i.x = p.j.x;
   const auto sum = share<TypeParam, double, 3>(p.i, p.j);
   for (int d = 0; d < 3; ++d) EXPECT_EQ(sum.a[d], 0);
 }
 
-TYPED_TEST(Symmetries, is_the_same_in_every_lane_of_a_pack) {
+TYPED_TEST(Symmetries, IsTheSameInEveryLaneOfAPack) {
   using Pack = simd<float, native_lanes<float>>;
   const TwoParticles<float, 3> one;
   const TwoParticles<double, 3> exact;
@@ -59,7 +59,7 @@ struct Dissipation : testing::Test {};
 using DissipationTerms = testing::Types<ViscosityGingoldMonaghan<>, ViscositySignalVelocity<>, ViscositySwitched<>>;
 TYPED_TEST_SUITE(Dissipation, DissipationTerms);
 
-TYPED_TEST(Dissipation, conserves_energy_and_heats) {
+TYPED_TEST(Dissipation, ConservesEnergyAndHeats) {
   const TwoParticles<double, 3> p;
   const auto on_i = share<TypeParam, double, 3>(p.i, p.j), on_j = share<TypeParam, double, 3>(p.j, p.i);
   double kinetic = 0;
@@ -69,7 +69,7 @@ TYPED_TEST(Dissipation, conserves_energy_and_heats) {
   EXPECT_NEAR(kinetic + heat, 0, 1e-14 * heat);
 }
 
-TYPED_TEST(Dissipation, vanishes_for_receding_particles_and_for_particles_at_rest) {
+TYPED_TEST(Dissipation, VanishesForRecedingParticlesAndForParticlesAtRest) {
   TwoParticles<double, 3> p;
   p.i.v[0] = 2, p.j.v[0] = 1;
   EXPECT_EQ((share<TypeParam, double, 3>(p.i, p.j).a[0]), 0);
@@ -80,7 +80,7 @@ TYPED_TEST(Dissipation, vanishes_for_receding_particles_and_for_particles_at_res
 
 /// The energy form of eq 7: heat takes up what the force takes from the motion, for a pair that approaches and one that
 /// recedes.
-TEST(EnergyBudget, of_the_pressure_force_and_its_work_is_closed) {
+TEST(EnergyBudget, OfThePressureForceAndItsWorkIsClosed) {
   for (const double towards : {-1.0, 1.0}) {
     TwoParticles<double, 3> p;
     p.i.v[0] *= towards, p.j.v[0] *= towards;
@@ -97,7 +97,7 @@ TEST(EnergyBudget, of_the_pressure_force_and_its_work_is_closed) {
 }
 
 /// Entropy dissipation moves heat from the particle with more of it to the other.
-TEST(EnergyBudget, of_entropy_dissipation_is_closed) {
+TEST(EnergyBudget, OfEntropyDissipationIsClosed) {
   const TwoParticles<double, 3> p;  // u_i = 1.8, u_j = 5.4
   const double to_i = p.i.m * share<EntropyDissipation<>, double, 3>(p.i, p.j).du,
                to_j = p.j.m * share<EntropyDissipation<>, double, 3>(p.j, p.i).du;
