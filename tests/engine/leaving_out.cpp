@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/schemes/registry.hpp"
+#include "tests/compiled_schemes.hpp"
 #include "tests/engine/brute_force.hpp"
 
 namespace sphk::test {
@@ -19,6 +20,9 @@ struct Case {
 
 class LeavingOut : public testing::TestWithParam<Case> {
  protected:
+  void SetUp() override {
+    if (!is_compiled(GetParam().scheme)) GTEST_SKIP();
+  }
   SimulationSettings settings(bool all_terms) const {
     const Case& c = GetParam();
     SimulationSettings s{.scheme = c.scheme, .kernel = c.kernel, .precision = "double", .neighbours = c.neighbours};

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "src/run/problem.hpp"
+#include "tests/compiled_schemes.hpp"
 
 namespace sphk {
 namespace {
 
 TEST(Labels, StandForSchemeKernelAndNeighbours) {
+  if (!is_compiled("tsph")) GTEST_SKIP();
   EXPECT_EQ(
       keys_of_label("SPHS-HCT442"),
       (KeyValues{
@@ -40,6 +42,7 @@ TEST(Labels, LeaveSchemesAndMistakesAlone) {
 }
 
 TEST(Labels, AreTakenAsSchemesAndOtherOptionsWin) {
+  if (!is_compiled("sphs-morris")) GTEST_SKIP();
   const Problem problem = resolve_problem(
       "gresho", {{"sph.neighbours", "300", "--neighbours"}, {"sph.scheme", "SPHS-HCT442e-g", "--scheme"}});
   EXPECT_EQ(problem.settings.text("sph.scheme"), "sphs-morris");

@@ -11,6 +11,7 @@
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/study/points.hpp"
+#include "tests/compiled_schemes.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace sphk {
@@ -89,6 +90,7 @@ void expect_pair(const Pair& pair, const std::string& kernel, double neighbours)
 /// The scenes that prefer sphs take a classic scheme's own pair when it is asked for, not HOCT4 with its 48, in which a
 /// lattice measures a density of 1.17.
 TEST(KernelAndNeighbours, AreTheSchemesOwnWhereTheUserChoosesTheScheme) {
+  if (!is_compiled("tsph")) GTEST_SKIP();
   for (const char* scene : {"kh12", "blob", "sod-multimass"})
     for (const char* scheme : {"sph", "tsph", "gadget2", "v10"})
       expect_pair(pair_of(scene, {{"sph.scheme", scheme}}), "cs", 48);
@@ -131,6 +133,7 @@ std::string message_of(const std::string& what, const std::vector<std::pair<std:
 }
 
 TEST(Keys, OfAnotherSchemeAreErrorsThatNameTheSchemesThatHaveThem) {
+  if (!is_compiled("tsph")) GTEST_SKIP();
   const std::string beta = message_of("sod", {{"sph.scheme", "gadget2"}, {"viscosity.beta", "7"}});
   for (const char* word : {"viscosity.beta", "gadget2", "sph", "tsph", "osph", "v10"})
     EXPECT_NE(beta.find(word), std::string::npos) << word << ": " << beta;

@@ -4,6 +4,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/schemes/registry.hpp"
+#include "tests/compiled_schemes.hpp"
 #include "tests/scenes/engine_keys.hpp"
 
 namespace sphk {
@@ -66,6 +67,7 @@ TEST(SceneTable, InitialConditionsEqualTheExactSolution) {
 }
 
 TEST(SceneTable, TilesOfTheGallerySetKeysThatARunHas) {
+  if (!is_compiled("sphs-morris")) GTEST_SKIP();
   for (const Scene* scene : scenes()) {
     Settings settings;
     declare_engine_keys(settings);

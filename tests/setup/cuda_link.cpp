@@ -6,6 +6,7 @@
 #include "src/engine/error_loops.hpp"
 #include "src/engine/passes_of.hpp"
 #include "src/schemes/gadget2.hpp"
+#include "src/schemes/loops.hpp"
 #include "src/schemes/osph_coherent.hpp"
 #include "src/schemes/sphs.hpp"
 
