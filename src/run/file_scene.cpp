@@ -7,7 +7,7 @@
 #include "src/engine/errors.hpp"
 #include "src/io/check.hpp"
 #include "src/io/hdf5_file.hpp"
-#include "src/run/problem.hpp"
+#include "src/schemes/registry.hpp"
 
 namespace sphk {
 
@@ -24,6 +24,7 @@ FileScene::FileScene(const std::filesystem::path& path)
   if (content_.particles.size() == 0) errors_.emplace_back("it holds no gas particles: at least one is needed");
   for (const Finding& finding : check_particles(content_.particles))
     (finding.severity == Finding::Severity::error ? errors_ : content_.remarks).push_back(to_text(finding));
+  if (content_.own_snapshot) read_method();
 }
 
 std::string FileScene::summary() const {
@@ -38,18 +39,26 @@ void FileScene::declare(Settings& settings) const {
                     .choices = {"file", "yes", "no"}});
   if (content_.gamma) settings.prefer("sph.gamma", *content_.gamma);
   settings.prefer("time.end", content_.particles.time);
-  if (content_.own_snapshot) prefer_method_of_snapshot(settings);
+  for (const auto& [name, text] : method_) settings.prefer_from_text(name, text);
 }
 
-void FileScene::prefer_method_of_snapshot(Settings& settings) const {
+void FileScene::read_method() {
   const hdf5::File file = hdf5::File::open(path_);
+  if (!file.has("Parameters")) return;
   const hdf5::Group saved = file.group("Parameters");
-  const std::vector<Key> keys = settings.keys();
+  Settings known;
+  declare_engine_keys(known);
+  const std::vector<Key> keys = known.keys();
   for (const Key& key : keys) {
     std::string name = key.name;
     std::ranges::replace(name, '.', ':');
-    const bool of_method = !may_change(key.name) && !key.name.starts_with("scene.") && !key.name.starts_with("ic.");
-    if (of_method && saved.has_attribute(name)) settings.prefer_from_text(key.name, saved.text(name));
+    if (!saved.has_attribute(name)) continue;
+    try {
+      known.prefer_from_text(key.name, saved.text(name));
+      method_.emplace_back(key.name, saved.text(name));
+    } catch (const InputError& error) {
+      content_.remarks.push_back(fmt::format("the snapshot's key is not taken over: {}", error.what()));
+    }
   }
 }
 

@@ -32,12 +32,13 @@ class FileScene : public Scene {
   const std::vector<std::string>& remarks() const { return content_.remarks; }
 
  private:
-  /// A snapshot of sphk goes on with the method that wrote it, unless the user asks for another.
-  void prefer_method_of_snapshot(Settings& settings) const;
+  /// Reads the keys of schemes, terms and time-steps that a snapshot of sphk was made with.
+  void read_method();
 
   std::filesystem::path path_;
   ReadResult content_;
   std::vector<std::string> errors_;
+  std::vector<std::pair<std::string, std::string>> method_;  ///< what it goes on with, unless the user asks for another
 };
 
 }  // namespace sphk
