@@ -60,7 +60,7 @@ std::vector<std::string> left_out(const Instantiation& row, const Instantiation&
   const CompiledFacts facts = row.facts(), all = complete.facts();
   for (const PassFacts& pass : all.passes) {
     const bool there = std::ranges::any_of(facts.passes, [&](const PassFacts& p) { return p.name == pass.name; });
-    if (!there && pass.wanted(given)) left.push_back(fmt::format("{}: nothing reads what it computes", pass.name));
+    if (!there && pass.wanted(given)) left.push_back(fmt::format("{}: what it serves is left out", pass.name));
   }
   for (const FieldPlace& place : row.written)
     if (std::ranges::find(facts.fields, place.facts, &FieldPlace::facts) == facts.fields.end())

@@ -51,7 +51,7 @@ void check(StudyPlan& plan) {
       for (const auto& [key, value] : *list) keys.push_back({key, value, key + "=" + value});
     const Problem problem = resolve_problem(plan.scene, keys);
     if (problem.scene->exact(problem.settings)) {
-      if (plan.norm.empty()) plan.norm = "v";
+      if (plan.norm.empty()) plan.norm = std::string("v");
       continue;
     }
     const std::vector<Reference> references = problem.scene->references(problem.settings);
