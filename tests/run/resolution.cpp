@@ -68,8 +68,9 @@ TEST_P(Resolution, IsTheSameForCommandLineLibraryStudySceneFileAndContinuedSnaps
 
 INSTANTIATE_TEST_SUITE_P(EveryScheme, Resolution,
                          testing::Combine(testing::ValuesIn(scheme_names()), testing::Values(1, 2, 3)),
-                         [](const auto& info) {
-                           std::string name = std::get<0>(info.param) + std::to_string(std::get<1>(info.param)) + "D";
+                         [](const auto& tested) {
+                           std::string name =
+                               std::get<0>(tested.param) + std::to_string(std::get<1>(tested.param)) + "D";
                            std::erase(name, '-');
                            return name;
                          });

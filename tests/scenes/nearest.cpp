@@ -56,7 +56,8 @@ TEST(NearestParticle, IsTheOneThatTryingAllFinds) {
           const auto at = gas.fields[0].values.begin() + 3 * static_cast<std::ptrdiff_t>(i);
           const Array3 x{at[0], at[1], at[2]};
           EXPECT_EQ(nearest.distance(x), 0);
-          if (count > 1) EXPECT_NEAR(nearest.distance(x, i), by_trying_all(gas, x, i), 1e-14) << D << ' ' << i;
+          if (count == 1) continue;
+          EXPECT_NEAR(nearest.distance(x, i), by_trying_all(gas, x, i), 1e-14) << D << ' ' << i;
         }
       }
 }

@@ -62,9 +62,9 @@ require.energy = { above = -1, below = 2 }
                                  {"sph.neighbours", "4.5"},
                                  {"time.limiter", "false"}}));
   const auto texts = [](const ExtremeCase& one) {
-    std::vector<std::string> texts;
-    for (const Requirement& requirement : one.requirements) texts.push_back(requirement.text());
-    return texts;
+    std::vector<std::string> all;
+    for (const Requirement& requirement : one.requirements) all.push_back(requirement.text());
+    return all;
   };
   EXPECT_EQ(texts(cases[0]), (std::vector<std::string>{"unsound < 1", "energy < 0.001", "front < 2", "heat recorded"}));
   EXPECT_EQ(cases[1].scene, "noh");
