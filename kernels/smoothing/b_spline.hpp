@@ -16,11 +16,11 @@ struct BSpline {
   static constexpr int flops = truncated_powers_flops(n);
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     return truncated_powers<n>(q, inner());
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return truncated_powers_w<n>(q, inner());
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {

@@ -14,13 +14,13 @@ struct CoreTriangle {
   static constexpr double slope = -12 * core + 18 * core * core;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     using R = lane_t<T>;
     const Shape<T> outside = CubicSpline{}(sphk::max(q, T(R(core))));
     return {outside.w + R(slope) * sphk::min(q - R(core), T(R(0))), outside.dw};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return (*this)(q).w;
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {

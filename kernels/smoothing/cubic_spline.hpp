@@ -13,14 +13,14 @@ struct CubicSpline {
   static constexpr int flops = 14;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     using R = lane_t<T>;
     const T outer = truncated(R(1), q), inner = truncated(R(1), R(2) * q);
     const T outer2 = outer * outer, inner2 = inner * inner;
     return {R(2) * (outer * outer2) - inner * inner2, R(6) * (inner2 - outer2)};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return (*this)(q).w;
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {

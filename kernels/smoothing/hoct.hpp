@@ -50,13 +50,13 @@ struct Hoct {
   static constexpr double kappa = coefficients.kappa, beta = coefficients.beta, gamma = coefficients.gamma;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     using R = lane_t<T>;
     const Shape<T> outside = truncated_powers<n>(sphk::max(q, T(R(kappa))), {gamma, A, beta, B});
     return {outside.w + core(q), outside.dw};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return truncated_powers_w<n>(sphk::max(q, T(lane_t<T>(kappa))), {gamma, A, beta, B}) + core(q);
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {
@@ -68,7 +68,7 @@ struct Hoct {
  private:
   /// What the linear core adds to the value at its edge.
   template <class T>
-  KOKKOS_INLINE_FUNCTION static T core(T q) {
+  KOKKOS_FORCEINLINE_FUNCTION static T core(T q) {
     using R = lane_t<T>;
     return R(P) * sphk::min(q - R(kappa), T(R(0)));
   }

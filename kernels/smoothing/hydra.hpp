@@ -13,16 +13,16 @@ struct Hydra {
   static constexpr double core = 1.0 / 3;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     return {CubicSpline{}.w(q), CubicSpline{}(sphk::max(q, T(lane_t<T>(core)))).dw};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return CubicSpline{}.w(q);
   }
   /// The cubic spline's own derivative.
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> with_own_derivative(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> with_own_derivative(T q) const {
     return CubicSpline{}(q);
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const { return CubicSpline{}.norm(dimension); }

@@ -12,13 +12,13 @@ struct Johnson {
   static constexpr int flops = 4;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     using R = lane_t<T>;
     const T s = truncated(R(1), q);
     return {s * s, R(-2) * s};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return (*this)(q).w;
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {

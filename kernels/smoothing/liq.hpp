@@ -18,14 +18,14 @@ struct Liq {
       : x_s(core_edge), cubic(1 / power<2>(1 - core_edge)), quartic(-0.5 / power<3>(1 - core_edge)) {}
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     using R = lane_t<T>;
     const T s = truncated(R(1), sphk::max(q, T(R(x_s))));
     const T s2 = s * s, b = R(quartic) * s;
     return {s2 * s * (R(cubic) + b) - sphk::min(q - R(x_s), T(R(0))), s2 * (R(-3 * cubic) - R(4) * b)};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return (*this)(q).w;
   }
   KOKKOS_INLINE_FUNCTION constexpr double norm(int dimension) const {

@@ -6,7 +6,7 @@ namespace sphk {
 
 /// x^n, n >= 1, by repeated squaring.
 template <int n, class T>
-KOKKOS_INLINE_FUNCTION constexpr T power(T x) {
+KOKKOS_FORCEINLINE_FUNCTION constexpr T power(T x) {
   static_assert(n >= 1);
   if constexpr (n == 1)
     return x;
@@ -23,7 +23,7 @@ constexpr int power_flops(int n) {
 
 /// max(edge - q, 0): a branch-free mask, since every positive power of it vanishes smoothly at the edge.
 template <class T>
-KOKKOS_INLINE_FUNCTION T truncated(lane_t<T> edge, T q) {
+KOKKOS_FORCEINLINE_FUNCTION T truncated(lane_t<T> edge, T q) {
   return sphk::max(edge - q, T(lane_t<T>(0)));
 }
 
@@ -34,7 +34,7 @@ struct InnerPowers {
 
 /// (1-q)_+^n + c1 (b1-q)_+^n + c2 (b2-q)_+^n and its derivative, with shared powers.
 template <int n, class T>
-KOKKOS_INLINE_FUNCTION Shape<T> truncated_powers(T q, const InnerPowers& inner) {
+KOKKOS_FORCEINLINE_FUNCTION Shape<T> truncated_powers(T q, const InnerPowers& inner) {
   using R = lane_t<T>;
   const T s0 = truncated(R(1), q), s1 = truncated(R(inner.b1), q), s2 = truncated(R(inner.b2), q);
   const T p0 = power<n - 1>(s0), p1 = power<n - 1>(s1), p2 = power<n - 1>(s2);
@@ -44,7 +44,7 @@ KOKKOS_INLINE_FUNCTION Shape<T> truncated_powers(T q, const InnerPowers& inner) 
 
 /// The value alone: an even power is cheaper than an odd one times its base.
 template <int n, class T>
-KOKKOS_INLINE_FUNCTION T truncated_powers_w(T q, const InnerPowers& inner) {
+KOKKOS_FORCEINLINE_FUNCTION T truncated_powers_w(T q, const InnerPowers& inner) {
   using R = lane_t<T>;
   const T s0 = truncated(R(1), q), s1 = truncated(R(inner.b1), q), s2 = truncated(R(inner.b2), q);
   return power<n>(s0) + R(inner.c1) * power<n>(s1) + R(inner.c2) * power<n>(s2);

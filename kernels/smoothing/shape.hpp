@@ -21,7 +21,7 @@ struct Shape {
 /// w with its own derivative, for dn/dh in the smoothing length and in grad-h. Only kernels whose operator() gives
 /// another dw (HYDRA, the table) have a member of that name.
 template <class Kernel, class T>
-KOKKOS_INLINE_FUNCTION Shape<T> with_own_derivative(const Kernel& kernel, T q) {
+KOKKOS_FORCEINLINE_FUNCTION Shape<T> with_own_derivative(const Kernel& kernel, T q) {
   if constexpr (requires { kernel.with_own_derivative(q); })
     return kernel.with_own_derivative(q);
   else

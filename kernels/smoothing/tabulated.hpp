@@ -35,17 +35,17 @@ class Tabulated {
   }
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     const Row<T> row = gather(q);
     return {row.value(0), row.value(4)};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q) const {
     return gather(q).value(0);
   }
   /// The derivative of the table's w, whatever dw is.
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> with_own_derivative(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> with_own_derivative(T q) const {
     const Row<T> row = gather(q);
     return {row.value(0), lane_t<T>(intervals) * row.slope(0)};
   }
@@ -62,8 +62,8 @@ class Tabulated {
   template <class T>
   struct Row {
     T t, c[8];
-    KOKKOS_INLINE_FUNCTION T value(int k) const { return c[k] + t * (c[k + 1] + t * (c[k + 2] + t * c[k + 3])); }
-    KOKKOS_INLINE_FUNCTION T slope(int k) const {
+    KOKKOS_FORCEINLINE_FUNCTION T value(int k) const { return c[k] + t * (c[k + 1] + t * (c[k + 2] + t * c[k + 3])); }
+    KOKKOS_FORCEINLINE_FUNCTION T slope(int k) const {
       using R = lane_t<T>;
       return c[k + 1] + t * (R(2) * c[k + 2] + R(3) * t * c[k + 3]);
     }
@@ -79,7 +79,7 @@ class Tabulated {
 
   /// Beyond the support the last row is taken: it is zero.
   template <class T>
-  KOKKOS_INLINE_FUNCTION Row<T> gather(T q) const {
+  KOKKOS_FORCEINLINE_FUNCTION Row<T> gather(T q) const {
     using R = lane_t<T>;
     constexpr int L = lanes<T>;
     R x[L], t[L], c[8][L];

@@ -8,7 +8,7 @@ namespace sphk {
 /// Wendland's kernels of 2D and 3D (Wendland 1995; Dehnen & Aly 2012, table 1). q is cut at 1 before anything else, so
 /// that the polynomial factor stays finite for a far-away q.
 template <class T>
-KOKKOS_INLINE_FUNCTION T cut_at_edge(T q) {
+KOKKOS_FORCEINLINE_FUNCTION T cut_at_edge(T q) {
   return sphk::min(q, T(lane_t<T>(1)));
 }
 
@@ -19,14 +19,14 @@ struct WendlandC2 {
   static constexpr int flops = 10;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q_any) const {
     using R = lane_t<T>;
     const T q = cut_at_edge(q_any), s = R(1) - q;
     const T s3 = power<3>(s);
     return {s3 * s * (R(1) + R(4) * q), R(-20) * q * s3};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q_any) const {
     using R = lane_t<T>;
     const T q = cut_at_edge(q_any);
     return power<4>(R(1) - q) * (R(1) + R(4) * q);
@@ -44,14 +44,14 @@ struct WendlandC4 {
   static constexpr int flops = 16;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q_any) const {
     using R = lane_t<T>;
     const T q = cut_at_edge(q_any), s = R(1) - q;
     const T s5 = power<5>(s);
     return {s5 * s * polynomial(q), R(-56.0 / 3) * q * s5 * (R(1) + R(5) * q)};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q_any) const {
     const T q = cut_at_edge(q_any);
     return power<6>(lane_t<T>(1) - q) * polynomial(q);
   }
@@ -64,7 +64,7 @@ struct WendlandC4 {
 
  private:
   template <class T>
-  KOKKOS_INLINE_FUNCTION static T polynomial(T q) {
+  KOKKOS_FORCEINLINE_FUNCTION static T polynomial(T q) {
     using R = lane_t<T>;
     return R(1) + q * (R(6) + R(35.0 / 3) * q);
   }
@@ -77,14 +77,14 @@ struct WendlandC6 {
   static constexpr int flops = 20;
 
   template <class T>
-  KOKKOS_INLINE_FUNCTION Shape<T> operator()(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q_any) const {
     using R = lane_t<T>;
     const T q = cut_at_edge(q_any), s = R(1) - q;
     const T s7 = power<7>(s);
     return {s7 * s * polynomial(q), R(-22) * q * s7 * (R(1) + q * (R(7) + R(16) * q))};
   }
   template <class T>
-  KOKKOS_INLINE_FUNCTION T w(T q_any) const {
+  KOKKOS_FORCEINLINE_FUNCTION T w(T q_any) const {
     const T q = cut_at_edge(q_any);
     return power<8>(lane_t<T>(1) - q) * polynomial(q);
   }
@@ -96,7 +96,7 @@ struct WendlandC6 {
 
  private:
   template <class T>
-  KOKKOS_INLINE_FUNCTION static T polynomial(T q) {
+  KOKKOS_FORCEINLINE_FUNCTION static T polynomial(T q) {
     using R = lane_t<T>;
     return R(1) + q * (R(8) + q * (R(25) + R(32) * q));
   }

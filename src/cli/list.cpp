@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/cli/commands.hpp"
+#include "src/engine/errors.hpp"
 #include "src/run/dry_run.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -30,17 +31,25 @@ void print_schemes() {
   }
 }
 
+/// Particles and rough cost of a scene's defaults; what is wrong with them where they cannot be run, as in a build
+/// without the scene's usual scheme.
+void print_scene(const Scene& scene) {
+  constexpr const char* row = "{:<15} {:>10} {:>9}  {}\n";
+  try {
+    const Settings settings = with_lattice(resolve_problem(scene.name(), {}).settings);
+    const ParticleSet particles = scene.build(settings);
+    fmt::print(row, scene.name(), particles.size(), "~" + rough_text(rough_seconds(particles, settings)),
+               scene.summary());
+  } catch (const InputError& error) {
+    fmt::print(row, scene.name(), "-", "-", fmt::format("{}; its defaults: {}", scene.summary(), error.what()));
+  }
+}
+
 }  // namespace
 
 int list_command() {
   fmt::print("{:<15} {:>10} {:>9}  {}\n", "scene", "particles", "cost", "what it is");
-  for (const Scene* scene : scenes()) {
-    const Problem problem = resolve_problem(scene->name(), {});
-    const Settings settings = with_lattice(problem.settings);
-    const ParticleSet particles = scene->build(settings);
-    fmt::print("{:<15} {:>10} {:>9}  {}\n", scene->name(), particles.size(),
-               fmt::format("~{}", rough_text(rough_seconds(particles, settings))), scene->summary());
-  }
+  for (const Scene* scene : scenes()) print_scene(*scene);
   print_schemes();
   fmt::print(
       "\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "

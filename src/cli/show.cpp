@@ -24,6 +24,16 @@ std::vector<std::string> wrapped(const std::vector<std::string>& words) {
   return lines;
 }
 
+/// How the scheme departs from its paper in so many dimensions.
+std::vector<std::string> differences(const SchemeFacts& facts, int dimension) {
+  std::vector<std::string> differ;
+  if (facts.differs) differ.push_back(fmt::format("from the paper: {}", facts.differs));
+  const char *usual = facts.usual[dimension - 1].kernel, *in_space = facts.usual[2].kernel;
+  if (std::string_view(usual) != in_space)
+    differ.push_back(fmt::format("from the paper: {} is usual in {}D in place of {}", usual, dimension, in_space));
+  return differ;
+}
+
 void print_keys(const Settings& settings) {
   const char* origin[] = {"default", "scene", "file", "command line"};
   fmt::print("\n  {:<20} {:<20} {:<13} {}\n", "key", "value", "set by", "meaning");
@@ -48,13 +58,14 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
              d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
   const SchemeFacts& facts = scheme_facts(d.scheme, compiled_schemes());
   print_list("", {facts.summary}, "");
-  if (facts.differs) print_list("differs", {std::string("from the paper: ") + facts.differs}, "");
+  print_list("differs", differences(facts, d.dimension), next_line);
   print_list("passes", d.passes, " -> ");
   print_list("terms", d.terms, next_line);
   print_list("fields", wrapped(d.fields), next_line);
   fmt::print("  {:<12} {:.0f} bytes per particle ({}), {:.0f} operations per pair\n", "cost", d.bytes_per_particle,
              bytes_text(d.bytes_per_particle * static_cast<double>(particles.size())), d.flops_per_pair);
   print_list("left out", d.left_out, next_line);
+  print_list("idle", d.idle, next_line);
   print_keys(problem.settings);
   return ExitCode::done;
 }

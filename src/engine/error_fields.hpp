@@ -9,37 +9,28 @@ namespace sphk {
 
 namespace detail {
 
-/// The free functions of R10 that a scheme's terms and passes name: 1 where none does.
-template <class Default, class... T>
-struct FirstPhi {
-  using type = Default;
-};
-template <class Default, class T, class... Rest>
-struct FirstPhi<Default, T, Rest...> : FirstPhi<Default, Rest...> {};
-template <class Default, class T, class... Rest>
-requires requires {
-  typename T::Phi;
+/// The free functions phi and eta of R10 that a term or pass names, if it does.
+template <class T>
+auto phi_named() {
+  if constexpr (requires { typename T::Phi; })
+    return List<typename T::Phi>{};
+  else
+    return List<>{};
 }
-struct FirstPhi<Default, T, Rest...> {
-  using type = typename T::Phi;
-};
-template <class Default, class... P>
-struct FirstEta {
-  using type = Default;
-};
-template <class Default, class P, class... Rest>
-struct FirstEta<Default, P, Rest...> : FirstEta<Default, Rest...> {};
-template <class Default, class P, class... Rest>
-requires requires {
-  typename P::Eta;
+template <class T>
+auto eta_named() {
+  if constexpr (requires { typename T::Eta; })
+    return List<typename T::Eta>{};
+  else
+    return List<>{};
 }
-struct FirstEta<Default, P, Rest...> {
-  using type = typename P::Eta;
-};
+template <class First, class... Rest>
+auto first(List<First, Rest...>) -> First;
+/// The first that a scheme's terms or passes name; 1 where none does.
 template <class... T>
-auto phi_of(List<T...>) -> typename FirstPhi<One, T...>::type;
+auto phi_of(List<T...>) -> decltype(first(Union<decltype(phi_named<T>())..., List<One>>{}));
 template <class... P>
-auto eta_of(List<P...>) -> typename FirstEta<One, P...>::type;
+auto eta_of(List<P...>) -> decltype(first(Union<decltype(eta_named<P>())..., List<One>>{}));
 
 template <class L, class Phi, class Eta>
 struct FillErrorColumns {

@@ -105,6 +105,7 @@ struct SchemeDescription {
   int dimension = 3;
   bool tabulated = false;  ///< the kernel is not on the scheme's curated list and runs through the table
   std::vector<std::string> passes, terms, fields, left_out;
+  std::vector<std::string> idle;  ///< terms that add nothing and are computed all the same
   double bytes_per_particle = 0;
   double flops_per_pair = 0;
 };

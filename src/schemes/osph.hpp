@@ -30,8 +30,7 @@ struct Osph {
                                      .usual = wide_kernels,
                                      .courant = 0.4,
                                      .r10_label = "OSPH",
-                                     .s12_label = "OSPH",
-                                     .differs = other_kernels};
+                                     .s12_label = "OSPH"};
 
   struct Entropy : EntropyFamily<InverseEntropyRoot, DensityItself> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;

@@ -11,8 +11,7 @@ struct OsphCoherent {
       .name = "osph-coherent",
       .summary = "OSPH with grad-h and eta = phi = zeta, which conserves energy (R10 footnote 4)",
       .usual = wide_kernels,
-      .courant = 0.4,
-      .differs = other_kernels};
+      .courant = 0.4};
 
   struct Entropy
       : Recipe<

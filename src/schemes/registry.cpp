@@ -60,13 +60,21 @@ std::vector<std::string> left_out(const Instantiation& row, const Instantiation&
   const CompiledFacts facts = row.facts(), all = complete.facts();
   for (const PassFacts& pass : all.passes) {
     const bool there = std::ranges::any_of(facts.passes, [&](const PassFacts& p) { return p.name == pass.name; });
-    if (!there && pass.wanted(given)) left.push_back(fmt::format("{}: what it serves is left out", pass.name));
+    if (!there && pass.wanted(given)) left.push_back(fmt::format("{}: nothing that is left reads it", pass.name));
   }
   for (const FieldPlace& place : row.written)
     if (std::ranges::find(facts.fields, place.facts, &FieldPlace::facts) == facts.fields.end())
       left.push_back(fmt::format("{}: no term of this scheme reads them", place.facts->name));
   if (row.left_out) left.emplace_back(row.left_out);
   return left;
+}
+
+/// Terms that add nothing and are computed all the same: no loop without them is compiled for this kernel.
+std::vector<std::string> idle_terms(const Instantiation& row, const Given& given, const GasTraits& gas) {
+  std::vector<std::string> idle;
+  for (const TermFacts& term : row.terms)
+    if (term.idle(given, gas)) idle.emplace_back(term.name);
+  return idle;
 }
 
 template <class F>
@@ -124,6 +132,7 @@ SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& p
   description.dimension = particles.dimension;
   description.tabulated = !row.kernel;
   description.left_out = left_out(row, complete, given);
+  description.idle = idle_terms(row, given, gas);
   description.bytes_per_particle = facts.bytes_per_particle + (has_own_steps(settings) ? bytes_of_own_steps : 0);
   description.flops_per_pair = facts.flops_per_pair;
   for (const PassFacts& pass : facts.passes)

@@ -18,8 +18,6 @@ using KernelChoices = std::array<KernelChoice, 3>;
 /// a support in 1D and 2D (its density is 3 % off in 1D), and WC6 grows shear layers closer to converged grid runs.
 inline constexpr KernelChoices wide_kernels{{{"wc4", 10}, {"wc6", 100}, {"hoct4", 442}}};
 
-inline constexpr const char* other_kernels = "Wendland's kernels in 1D and 2D in place of HOCT4";
-
 /// All that is true of a scheme beside its recipes.
 struct SchemeFacts {
   const char* name;     ///< what users call it

@@ -38,8 +38,7 @@ struct Sphs {
       .usual = wide_kernels,
       .steps = own_steps,
       .mixing_energy = "energy",
-      .s12_label = "SPHS",
-      .differs = other_kernels};
+      .s12_label = "SPHS"};
   using Wide = Curated<List<>, List<Hoct<4>, WendlandC6>, List<Hoct<4>>>;
 
   struct Entropy : Recipe<EntropyForm, TermSet<>, SphsTerms<PressureGradientTsph>, SphsStep<>> {

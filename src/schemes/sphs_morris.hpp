@@ -11,8 +11,7 @@ struct SphsMorris {
                                      .usual = wide_kernels,
                                      .steps = own_steps,
                                      .s12_label = "SPHS",
-                                     .label_suffix = "e",
-                                     .differs = other_kernels};
+                                     .label_suffix = "e"};
 
   struct Entropy : Recipe<EntropyForm, TermSet<>, SphsTerms<PressureGradientMorris>, SphsStep<>> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
