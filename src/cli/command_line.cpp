@@ -11,7 +11,11 @@
 
 #include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
+#include "src/io/info.hpp"
 #include "src/run/platform.hpp"
+#include "src/run/stop_signal.hpp"
+#include "src/study/extreme_table.hpp"
+#include "src/study/gallery.hpp"
 
 namespace sphk {
 
@@ -43,22 +47,24 @@ void add_physics(CLI::App& app, Options& o) {
 
 void add_run(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("run", "run a scene, a scene file or an initial condition");
+  RunRequest& request = o.run.request;
   CLI::Option* what =
-      app.add_option("what", o.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition");
-  app.add_option("--resume", o.resume, "go on with the run in this folder, from its newest checkpoint")
+      app.add_option("what", request.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition");
+  add_path(app, "--resume", request.resume, "go on with the run in this folder, from its newest checkpoint")
       ->type_name("DIR")
       ->excludes(what);
   add_physics(app, o);
   shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
   shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
   shortcut(app, o, "--steps", "time.max_steps", "N", "stop after so many steps (key time.max_steps)");
-  add_threads(app, o);
-  app.add_option("--out", o.out, "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
+  add_threads(app, o.threads);
+  add_path(app, "--out", request.out,
+           "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
   app.add_option_function<std::string>(
-         "--walltime", [&o](const std::string& text) { o.run.request.walltime = seconds_of(text); },
+         "--walltime", [&request](const std::string& text) { request.walltime = seconds_of(text); },
          "stop with a checkpoint before so much wall-clock time is over: seconds, M:S or H:M:S")
       ->type_name("TIME");
-  app.add_flag("--overwrite", o.run.request.overwrite, "replace the run that the folder of --out holds");
+  app.add_flag("--overwrite", request.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
   app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
   app.footer(
@@ -70,15 +76,13 @@ void add_run(CLI::App& root, Options& o) {
       "and exit\nwith 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` continues bit by bit, on as "
       "many threads.\n"
       "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped with a checkpoint.");
-  computes(app, o, [&o] {
-    if (o.what.empty() && o.resume.empty()) throw InputError("sphk run takes a scene or file, or --resume DIR");
-    if (!o.resume.empty() && (!o.shortcuts.empty() || !o.sets.empty() || !o.out.empty()))
+  computes(app, o, [&o, &request] {
+    if (request.what.empty() && !request.resume) throw InputError("sphk run takes a scene or file, or --resume DIR");
+    if (request.resume && (!o.shortcuts.empty() || !o.sets.empty() || request.out))
       throw InputError(
           "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
           "--json-log go with it");
-    RunRequest& request = o.run.request;
-    request.what = o.what, request.overrides = overrides(o);
-    request.resume = path_of(o.resume), request.out = path_of(o.out);
+    request.overrides = overrides(o);
     return run_command(o.run);
   });
 }
@@ -94,7 +98,7 @@ void add_plot(CLI::App& root, Options& o) {
   app.add_option("--profile", o.plot.profile, "draw this field of several runs, a panel each (V10 Fig. 4)")
       ->check(CLI::IsMember({"rho", "v", "P", "u", "A"}));
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last");
-  app.add_option("--out", o.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
+  add_path(app, "--out", o.plot.out, "name of the figure (FILE.png), or a folder; default: beside the snapshots");
   app.footer(
       "Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.png\n"
       "  sphk plot blob-run blob-run-2 --out both.png\n"
@@ -102,26 +106,29 @@ void add_plot(CLI::App& root, Options& o) {
       "  sphk plot kh12-run kh12-run-2 --errors --out errors.png\n"
       "  sphk plot sod-run sod-run-2 sod-run-3 --profile rho --out tubes.png");
   acts(app, o, [&o] {
-    o.plot.out = path_of(o.out);
-    return plot_command(o.plot);
+    plot(o.plot);
+    return ExitCode::done;
   });
 }
 
 void add_rates(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("rates", "compute one right-hand side of a snapshot or initial condition");
-  app.add_option("file", o.what, "an HDF5 file")->required();
+  app.add_option("file", o.rates.file, "an HDF5 file")->required();
   add_physics(app, o);
-  add_threads(app, o);
-  app.add_option("--out", o.out, "the HDF5 file to write")->required();
-  app.add_flag("--split", o.split, "write each term apart as well");
-  app.add_option("--alpha", o.alpha,
+  add_threads(app, o.threads);
+  app.add_option("--out", o.rates.out, "the HDF5 file to write")->required();
+  app.add_flag("--split", o.rates.split, "write each term apart as well");
+  app.add_option("--alpha", o.rates.alpha,
                  "dissipation: auto (the switch without history for sphs, none for others), file (the field Alpha), or "
                  "a number for all particles")
       ->type_name("auto|file|NUMBER");
   app.footer(
       "Computes in double, unless --precision says otherwise.\nExample:\n"
       "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
-  computes(app, o, [&o] { return rates_command({o.what, overrides(o), o.out, o.split, o.alpha}); });
+  computes(app, o, [&o] {
+    o.rates.overrides = overrides(o);
+    return rates_command(o.rates);
+  });
 }
 
 void add_stability(CLI::App& root, Options& o) {
@@ -133,48 +140,58 @@ void add_stability(CLI::App& root, Options& o) {
       ->excludes(count);
   app.add_option("--lattice", o.stability.lattice, "cubic, bcc, fcc, hcp; in 2D square, hexagonal; in 1D line");
   app.add_option("--gamma", o.stability.gamma, "adiabatic index; 5/3 where it is not given")->type_name("GAMMA");
-  app.add_option("--out", o.out, "folder for maps over wave number and h, stability.png and stability.csv");
+  add_path(app, "--out", o.stability.out, "folder for maps over wave number and h, stability.png and stability.csv");
   app.footer(
       "Examples:\n  sphk stability --kernel hoct4 --neighbours 442\n"
       "  sphk stability --kernel cs --neighbours 32 --lattice square --out maps");
   acts(app, o, [&o] {
-    o.stability.out = path_of(o.out);
-    return stability_command(o.stability);
+    fmt::print("{}", stability_text(o.stability));
+    if (o.stability.out) write_stability_map(o.stability);
+    return ExitCode::done;
   });
 }
 
+/// A command that makes many runs, each a process of its own.
+CLI::App& add_batch(CLI::App& root, Options& o, const std::string& name, const std::string& doc,
+                    const std::function<bool(const Batch&)>& make) {
+  CLI::App& app = *root.add_subcommand(name, doc);
+  add_threads(app, o.batch.threads);
+  acts(app, o, [&o, make] {
+    const bool all_well = make(o.batch);
+    if (stop_requested()) return ExitCode::stopped;
+    return all_well ? ExitCode::done : ExitCode::numerics;
+  });
+  return app;
+}
+
 void add_gallery(CLI::App& root, Options& o) {
-  CLI::App& app = *root.add_subcommand("gallery", "a small run of every scene, on one page");
-  app.add_option("scenes", o.scenes, "only these scenes");
-  add_threads(app, o);
-  app.add_option("--out", o.out, "folder of the gallery; default: gallery");
+  CLI::App& app = add_batch(root, o, "gallery", "a small run of every scene, on one page", make_gallery);
+  app.add_option("scenes", o.batch.names, "only these scenes");
+  add_path(app, "--out", o.batch.out, "folder of the gallery; default: gallery");
   app.footer(
       "The folder gets index.html (one page, nothing beside it needed), gallery.png and the runs. It takes about two\n"
       "minutes on two cores.\nExamples:\n  sphk gallery\n  sphk gallery sod kh12 --out two");
-  acts(app, o, [&o] { return gallery_command({path_of(o.out), o.scenes, o.threads}); });
 }
 
 void add_extremes(CLI::App& root, Options& o) {
-  CLI::App& app =
-      *root.add_subcommand("extremes", "stiff and extreme runs: what is required of each, and what came out");
-  app.add_option("cases", o.scenes, "only these cases, or files of cases (*.toml)");
-  add_threads(app, o);
-  app.add_option("--out", o.out, "folder of the runs and of extremes.txt; default: extremes");
+  CLI::App& app = add_batch(root, o, "extremes", "stiff and extreme runs: what is required of each, and what came out",
+                            make_extremes);
+  app.add_option("cases", o.batch.names, "only these cases, or files of cases (*.toml)");
+  add_path(app, "--out", o.batch.out, "folder of the runs and of extremes.txt; default: extremes");
   app.footer(
       "A file of cases has a list [[case]], each with name, scene, summary, keys under [case.set] and bounds under "
       "[case.require];\nthose that come with sphk are such files, in share/sphk/studies/extremes. Exit code 3 where a "
       "case fails.\nExamples:\n  sphk extremes\n  sphk extremes blast leblanc --out two\n  sphk extremes mine.toml");
-  acts(app, o, [&o] { return extremes_command({path_of(o.out), o.scenes, o.threads}); });
 }
 
 void add_tables(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("tables", "the papers' tables, computed, beside what they print");
-  add_threads(app, o);
-  app.add_option("--out", o.out, "folder for the tables as CSV and the smoothing kernels as kernels.png");
+  add_threads(app, o.threads);
+  add_path(app, "--out", o.tables_folder, "folder for the tables as CSV and the smoothing kernels as kernels.png");
   app.footer(
       "S12 Table 1 (density errors), R10 Table 1 (HOCT kernels), V10 Table 1 (LIQ kernels), S12 Fig. 1 (half-mass "
       "radii).\nExample:\n  sphk tables --out tables");
-  computes(app, o, [&o] { return tables_command({path_of(o.out)}); });
+  computes(app, o, [&o] { return tables_command(o.tables_folder); });
 }
 
 void add_inspection(CLI::App& root, Options& o) {
@@ -186,13 +203,16 @@ void add_inspection(CLI::App& root, Options& o) {
   show.footer("Example:\n  sphk show sod --kernel hoct4 --neighbours 442");
   computes(show, o, [&o] { return show_command(o.what, overrides(o)); });
   CLI::App& info = *root.add_subcommand("info", "what an HDF5 file holds");
-  info.add_option("file", o.file, "a snapshot or an initial condition")->required();
-  acts(info, o, [&o] { return info_command(o.file); });
+  info.add_option("file", o.what, "a snapshot or an initial condition")->required();
+  acts(info, o, [&o] {
+    fmt::print("{}\n", file_info(o.what));
+    return ExitCode::done;
+  });
   CLI::App& ic = *root.add_subcommand("ic", "work with initial conditions");
   ic.require_subcommand(1);
   CLI::App& check = *ic.add_subcommand("check", "look for NaN, zero masses, duplicate ids, coincident particles, ...");
-  check.add_option("file", o.file, "an HDF5 initial condition")->required();
-  acts(check, o, [&o] { return ic_check_command(o.file); });
+  check.add_option("file", o.what, "an HDF5 initial condition")->required();
+  acts(check, o, [&o] { return ic_check_command(o.what); });
 }
 
 /// The parser's message, the nearest option or command to each word that is none, and where the help is.

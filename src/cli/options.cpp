@@ -8,10 +8,6 @@
 
 namespace sphk {
 
-std::optional<std::filesystem::path> path_of(const std::string& text) {
-  return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
-}
-
 std::vector<Override> overrides(const Options& o) {
   std::vector<Override> all = o.shortcuts;
   for (const std::string& text : o.sets) {
@@ -43,6 +39,14 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
       ->type_name(type);
 }
 
+CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
+                      const std::string& doc) {
+  const auto take = [&path](const std::string& text) {
+    if (!text.empty()) path = text;
+  };
+  return app.add_option_function<std::string>(name, take, doc);
+}
+
 void add_sets(CLI::App& app, Options& o, const std::string& doc) {
   app.add_option("--set", o.sets, doc + "; once for each key")
       ->type_name("KEY=VALUE")
@@ -51,8 +55,8 @@ void add_sets(CLI::App& app, Options& o, const std::string& doc) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_threads(CLI::App& app, Options& o) {
-  app.add_option("--threads", o.threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
+void add_threads(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
 }
 
 }  // namespace sphk

@@ -8,33 +8,35 @@
 
 #include "src/cli/command_line.hpp"
 #include "src/cli/commands.hpp"
+#include "src/run/plot.hpp"
+#include "src/run/rates.hpp"
+#include "src/run/stability_map.hpp"
+#include "src/study/child.hpp"
+#include "src/study/study.hpp"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace sphk {
 
 /// Everything the options write to, and what the command then does; lives as long as the request.
 struct Options {
   Request request;
-  std::string what, file;
+  std::string what;                ///< a scene, a scene file or an HDF5 file
+  std::vector<std::string> names;  ///< what `sphk study` is given: one, or the word compare and two
   std::vector<std::string> sets;
   std::vector<Override> shortcuts;
-  std::string out, report, resume;
   int threads = 0;
   RunOptions run;
   PlotRequest plot;
-  StabilityOptions stability;
+  RatesRequest rates;
+  StabilityRequest stability;
   StudyRequest study;
-  std::vector<std::string> studies;  ///< what `sphk study` is given: one, or the word compare and two
-  std::vector<std::string> scenes;
-  bool split = false;
-  std::string alpha = "auto";
+  Batch batch;
+  std::optional<std::filesystem::path> tables_folder;
 };
-
-/// Nothing where the text is empty.
-std::optional<std::filesystem::path> path_of(const std::string& text);
 
 /// The shortcuts and the --set options, in that order. Throws InputError.
 std::vector<Override> overrides(const Options& o);
@@ -46,9 +48,12 @@ void acts(CLI::App& app, Options& o, const std::function<int()>& act);
 /// An option that is short for `--set key=...`.
 void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
               const std::string& doc);
+/// An option with a path; as if it were not there where that is empty.
+CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
+                      const std::string& doc);
 /// --set, as often as there are keys; and --threads.
 void add_sets(CLI::App& app, Options& o, const std::string& doc);
-void add_threads(CLI::App& app, Options& o);
+void add_threads(CLI::App& app, int& threads);
 
 /// `sphk study` with its options.
 void add_study(CLI::App& root, Options& o);

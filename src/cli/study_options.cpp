@@ -7,7 +7,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/report/process.hpp"
-#include "src/study/plan.hpp"
+#include "src/run/stop_signal.hpp"
 
 namespace sphk {
 
@@ -67,7 +67,7 @@ void add_axes(CLI::App& app, StudyRequest& study) {
 
 void add_options(CLI::App& app, Options& o) {
   StudyRequest& study = o.study;
-  app.add_option("what", o.studies,
+  app.add_option("what", o.names,
                  "a scene with an exact solution or converged runs, a study file (*.toml), a preset, or: compare STUDY "
                  "STUDY")
       ->required()
@@ -87,9 +87,10 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--others", study.others, "points of other engines, as CSV: engine,setting,error,cpu_seconds,machine")
       ->type_name("FILE.csv");
   app.add_option("--max-time", study.max_seconds, "start no run after so many seconds")->check(CLI::PositiveNumber);
-  add_threads(app, o);
-  app.add_option("--out", o.out, "folder of the study; default: SCENE-study. What it holds already is not run again");
-  app.add_option("--report", o.report, "also write the study as one HTML page with everything in it")
+  add_threads(app, study.threads);
+  add_path(app, "--out", study.out,
+           "folder of the study; default: SCENE-study. What it holds already is not run again");
+  add_path(app, "--report", study.report, "also write the study as one HTML page with everything in it")
       ->type_name("FILE.html");
   app.footer(
       "Examples:\n  sphk study sod -n 32,64,128 --scheme gadget2,sphs --repeat 3 --target 0.04\n"
@@ -109,14 +110,14 @@ void add_study(CLI::App& root, Options& o) {
   CLI::App& app = *root.add_subcommand("study", "error against run time, over every combination of what is listed");
   add_options(app, o);
   acts(app, o, [&o] {
-    const auto& what = o.studies;
+    const auto& what = o.names;
     if (what[0] == "compare" && what.size() == 3) return study_compare_command(what[1], what[2], o.study.norm);
     if (what[0] == "compare" || what.size() > 1)
       throw InputError("sphk study takes one scene, study file or preset, or the word compare and two studies");
     for (const Override& fixed : overrides(o)) o.study.fixed.emplace_back(fixed.name, fixed.text);
-    o.study.what = what[0], o.study.threads = o.threads;
-    o.study.out = path_of(o.out), o.study.report = path_of(o.report);
-    return study_command(o.study);
+    o.study.what = what[0];
+    study(o.study);
+    return stop_requested() ? ExitCode::stopped : ExitCode::done;
   });
 }
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "kernels/smoothing/list.hpp"
@@ -12,26 +12,6 @@
 namespace sphk {
 
 namespace {
-
-void print(const PublishedTable& table) {
-  fmt::print("{}\n  {:<16} {:<17} {:>9} {:>12} {:>11}\n", table.title, "", "", "printed", "computed", "difference");
-  std::string last;
-  for (const PublishedValue& v : table.values) {
-    fmt::print("  {:<16} {:<17} {:>9} {:>12.5g} {:>+11.1e}{}\n", v.row == last ? "" : v.row, v.quantity, v.printed,
-               v.computed, v.difference(), v.agrees() ? "" : "  *");
-    last = v.row;
-  }
-  if (!table.note.empty()) fmt::print("  {}\n", table.note);
-  fmt::print("\n");
-}
-
-void write_csv(const std::filesystem::path& folder, const PublishedTable& table) {
-  std::string csv = "row,quantity,printed,computed,difference,agrees\n";
-  for (const PublishedValue& v : table.values)
-    csv += fmt::format("\"{}\",\"{}\",{},{:.10g},{:.3g},{}\n", v.row, v.quantity, v.printed, v.computed, v.difference(),
-                       v.agrees() ? "yes" : "no");
-  write_atomically(folder / (table.key + ".csv"), csv);
-}
 
 /// S12 Fig. 1 for kernels of the papers: W h^3 and its derivative over r/h in 3D, with half-mass radii.
 void draw_kernels(const std::filesystem::path& folder) {
@@ -53,18 +33,19 @@ void draw_kernels(const std::filesystem::path& folder) {
 
 }  // namespace
 
-int tables_command(const TablesOptions& options) {
-  if (options.out) std::filesystem::create_directories(*options.out);
+int tables_command(const std::optional<std::filesystem::path>& folder) {
+  if (folder) std::filesystem::create_directories(*folder);
   std::size_t values = 0, agreeing = 0;
   for (const auto make : {+[] { return density_errors(32); }, hoct_parameters, liq_coefficients, half_mass_radii}) {
     const PublishedTable table = make();
-    print(table);
-    for (const PublishedValue& v : table.values) ++values, agreeing += v.agrees();
-    if (options.out) write_csv(*options.out, table);
+    fmt::print("{}\n", table.text());
+    values += table.values.size();
+    agreeing += static_cast<std::size_t>(std::ranges::count_if(table.values, &PublishedValue::agrees));
+    if (folder) write_atomically(*folder / (table.key + ".csv"), table.csv());
   }
   fmt::print("{} of {} printed values agree within half a unit of their last digit; * marks the others\n", agreeing,
              values);
-  if (options.out) draw_kernels(*options.out);
+  if (folder) draw_kernels(*folder);
   return ExitCode::done;
 }
 

@@ -90,6 +90,12 @@ std::vector<std::string> apply_overrides(Settings& settings, const std::vector<O
 
 }  // namespace
 
+std::vector<Override> overrides_of(const KeyTexts& keys) {
+  std::vector<Override> overrides;
+  for (const auto& [key, text] : keys) overrides.push_back({key, text, key + "=" + text});
+  return overrides;
+}
+
 void declare_run_keys(Settings& settings) {
   settings.declare({.name = "time.end", .value = 1.0, .doc = "end time, code units", .choices = {}});
   settings.declare({.name = "time.max_steps",

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/engine/settings.hpp"
@@ -13,6 +14,10 @@ namespace sphk {
 struct Override {
   std::string name, text, spelling;
 };
+
+/// Keys and what each is set to, as text.
+using KeyTexts = std::vector<std::pair<std::string, std::string>>;
+std::vector<Override> overrides_of(const KeyTexts& keys);
 
 /// What to compute: a scene and its complete settings.
 struct Problem {

@@ -16,6 +16,14 @@ namespace sphk {
 
 namespace fs = std::filesystem;
 
+std::vector<std::string> run_arguments(const std::string& what, const KeyTexts& keys, const fs::path& folder,
+                                       int threads) {
+  std::vector<std::string> words{what, "--out", folder.string(), "--overwrite"};
+  for (const auto& [key, text] : keys) words.insert(words.end(), {"--set", key + "=" + text});
+  if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
+  return words;
+}
+
 int run_child(const std::vector<std::string>& arguments, const fs::path& log, const std::function<void()>& watch) {
   std::vector<std::string> words{this_executable().string(), "run"};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -1,12 +1,29 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "src/run/problem.hpp"
+
 namespace sphk {
+
+/// Many runs, each a process of its own.
+struct Batch {
+  std::optional<std::filesystem::path> out;  ///< the folder of all; nothing: called like the command
+  std::vector<std::string> names;            ///< of those that are wanted; empty: all
+  int threads = 0;                           ///< of each run; 0: what OpenMP gives
+
+  bool wants(const std::string& name) const { return names.empty() || std::ranges::find(names, name) != names.end(); }
+};
+
+/// `what` with these keys, in a folder that it may overwrite, as run_child takes it.
+std::vector<std::string> run_arguments(const std::string& what, const KeyTexts& keys,
+                                       const std::filesystem::path& folder, int threads);
 
 /// `sphk run ARGUMENTS --json-log` as a process of its own, its output in `log`. Returns its exit code, or 128 and the
 /// number of the signal that ended it. `watch` is called about twice a second meanwhile. A request to stop

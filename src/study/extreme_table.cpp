@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -13,7 +14,6 @@
 #include "src/run/failure.hpp"
 #include "src/run/problem.hpp"
 #include "src/run/stop_signal.hpp"
-#include "src/study/child.hpp"
 #include "src/study/extreme_run.hpp"
 #include "src/study/extremes.hpp"
 
@@ -31,10 +31,11 @@ struct Outcome {
   bool passed = false;
 };
 
-/// `sphk run` with these words; throws what it ends with where that is an error.
-void run_sphk(std::vector<std::string> words, const fs::path& folder, int threads) {
-  words.insert(words.end(), {"--out", folder.string(), "--overwrite", "--set", "output.snapshots=1"});
-  if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
+/// `sphk run` with these keys, and one snapshot beside the first; throws what it ends with where that is an error.
+void run_sphk(const std::string& what, KeyTexts keys, const fs::path& folder, int threads) {
+  keys.emplace_back("output.snapshots", "1");
+  std::vector<std::string> words = run_arguments(what, keys, folder, threads);
+  words.insert(words.end(), {"--walltime", longest});
   const fs::path log = folder.string() + ".log";
   const int code = run_child(words, log);
   if (code == ExitCode::stopped) throw NumericsError(fmt::format("not in {} s", longest));
@@ -45,9 +46,9 @@ void run_sphk(std::vector<std::string> words, const fs::path& folder, int thread
 Quantity threads_apart(const fs::path& folder) {
   const fs::path start = folder / "snap_0001.hdf5", one = folder / "threads_1", two = folder / "threads_2";
   const double end = 2 * read_particles(start).particles.time;
-  const std::vector<std::string> words{start.string(), "--steps", "3", "--t-end", fmt::format("{}", end)};
-  run_sphk(words, one, 1);
-  run_sphk(words, two, 2);
+  const KeyTexts keys{{"time.max_steps", "3"}, {"time.end", fmt::format("{}", end)}};
+  run_sphk(start.string(), keys, one, 1);
+  run_sphk(start.string(), keys, two, 2);
   return {difference(one / "snap_0001.hdf5", two / "snap_0001.hdf5"), ""};
 }
 
@@ -63,10 +64,8 @@ Outcome outcome_of(const Requirement& requirement, const FinishedRun& run) {
 }
 
 std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int threads) {
-  std::vector<std::string> words{one.scene, "--walltime", longest};
-  for (const auto& [key, value] : one.keys) words.insert(words.end(), {"--set", key + "=" + value});
   try {
-    run_sphk(words, folder, threads);
+    run_sphk(one.scene, one.keys, folder, threads);
   } catch (const std::exception& error) {
     return {{"finishes", error.what(), false}};
   }
@@ -77,39 +76,28 @@ std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int
   return outcomes;
 }
 
-/// Throws InputError where a run would not begin with these keys.
-void check_keys(const std::string& scene, const ExtremeCase::Keys& keys) {
-  std::vector<Override> overrides;
-  for (const auto& [key, value] : keys) overrides.push_back({key, value, key + "=" + value});
-  resolve_problem(scene, overrides);
-}
-
 /// The cases of the files that are named, or of those that come with sphk; of these the ones that are named, or all.
-std::vector<ExtremeCase> wanted_cases(const std::vector<std::string>& words) {
-  std::vector<std::string> names;
+std::vector<ExtremeCase> wanted_cases(Batch batch) {
+  const auto check = [](const std::string& scene, const KeyTexts& keys) { resolve_problem(scene, overrides_of(keys)); };
+  const auto files =
+      std::ranges::stable_partition(batch.names, [](const auto& name) { return !name.ends_with(".toml"); });
   std::vector<ExtremeCase> cases;
-  for (const std::string& word : words)
-    if (word.ends_with(".toml"))
-      std::ranges::move(read_extremes(word, check_keys), std::back_inserter(cases));
-    else
-      names.push_back(word);
-  if (names.size() == words.size()) cases = extremes_in(shared_folder() / "studies" / "extremes", check_keys);
-  std::vector<std::string> there;
-  for (const ExtremeCase& one : cases) there.push_back(one.name);
-  for (const std::string& name : names)
+  for (const std::string& file : files) std::ranges::move(read_extremes(file, check), std::back_inserter(cases));
+  if (files.empty()) cases = extremes_in(shared_folder() / "studies" / "extremes", check);
+  batch.names.erase(files.begin(), files.end());
+  const auto there = cases | std::views::transform(&ExtremeCase::name);
+  for (const std::string& name : batch.names)
     if (std::ranges::find(there, name) == there.end())
       throw InputError(fmt::format("there is no case \"{}\"; known are {}", name, fmt::join(there, ", ")));
-  std::erase_if(cases, [&](const ExtremeCase& one) {
-    return !names.empty() && std::ranges::find(names, one.name) == names.end();
-  });
+  std::erase_if(cases, [&](const ExtremeCase& one) { return !batch.wants(one.name); });
   return cases;
 }
 
 }  // namespace
 
-bool make_extremes(const ExtremesRequest& request) {
-  const std::vector<ExtremeCase> cases = wanted_cases(request.cases);
-  const fs::path folder = request.out.value_or("extremes");
+bool make_extremes(const Batch& batch) {
+  const std::vector<ExtremeCase> cases = wanted_cases(batch);
+  const fs::path folder = batch.out.value_or("extremes");
   fs::create_directories(folder);
   catch_stop_signals();
   Table table{{"case", "setup", "required", "found", ""}, {}, {0, 1, 2, 3, 4}};
@@ -117,7 +105,7 @@ bool make_extremes(const ExtremesRequest& request) {
   for (const ExtremeCase& one : cases) {
     fmt::print("{} ...", one.name);
     std::fflush(stdout);
-    const std::vector<Outcome> outcomes = perform(one, folder / one.name, request.threads);
+    const std::vector<Outcome> outcomes = perform(one, folder / one.name, batch.threads);
     if (stop_requested()) return false;
     const bool passed = std::ranges::all_of(outcomes, &Outcome::passed);
     passes += passed;

@@ -24,7 +24,7 @@ struct Draft {
 
 void set(Draft& draft, const std::string& key, const toml::value& value) {
   auto& keys = draft.result.keys;
-  const auto at = std::ranges::find(keys, key, &ExtremeCase::Keys::value_type::first) - keys.begin();
+  const auto at = std::ranges::find(keys, key, &KeyTexts::value_type::first) - keys.begin();
   if (at == std::ssize(keys)) keys.emplace_back(key, ""), draft.places.emplace_back();
   keys[at].second = text_of(value), draft.places[at] = value;
 }
@@ -79,7 +79,7 @@ void run_check(const Draft& draft, const CheckKeys& check) {
   } catch (const InputError& error) {
     const std::string text = error.what(), subject = text.substr(0, text.find_first_of(" =:"));
     const auto& keys = draft.result.keys;
-    const auto at = std::ranges::find(keys, subject, &ExtremeCase::Keys::value_type::first) - keys.begin();
+    const auto at = std::ranges::find(keys, subject, &KeyTexts::value_type::first) - keys.begin();
     refuse(at == std::ssize(keys) ? draft.scene : draft.places[at], text, "here");
   }
 }

@@ -4,8 +4,9 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "src/run/problem.hpp"
 
 namespace sphk {
 
@@ -21,18 +22,16 @@ struct Requirement {
 
 /// A stiff or extreme run. Beside its requirements it has to finish.
 struct ExtremeCase {
-  using Keys = std::vector<std::pair<std::string, std::string>>;
-
   std::string name;     ///< of a folder as well
   std::string summary;  ///< a few words
   std::string scene;
-  Keys keys;
+  KeyTexts keys;
   std::vector<Requirement> requirements;
 };
 
 /// Throws InputError where there is no such scene or it cannot run with these keys. What is said of a key begins with
 /// its name.
-using CheckKeys = std::function<void(const std::string& scene, const ExtremeCase::Keys& keys)>;
+using CheckKeys = std::function<void(const std::string& scene, const KeyTexts& keys)>;
 
 /// Reads a file of cases, a list [[case]]: `name`, `scene`, `summary`, keys under [case.set], written as in a scene
 /// file, and bounds under [case.require]: `energy.below = 1e-3`, `nearest.above = 0.7`, or `wall_heating = "recorded"`.

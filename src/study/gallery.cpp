@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "src/io/atomic_file.hpp"
@@ -30,36 +31,23 @@ struct Shown {
   const Scene* scene;
   GalleryTile tile;
   fs::path folder;
-  std::string failure;  ///< empty: there is a run
-  Json run;
+  std::string failure{};               ///< empty: there is a run
+  std::array<std::string, 2> lines{};  ///< what ran; its error and cost
+
+  std::string words() const { return failure.empty() ? lines[0] + ", " + lines[1] : "failed: " + failure; }
+  fs::path thumbnail() const { return folder / "thumbnail.png"; }
 };
 
-std::vector<std::string> arguments_of(const Shown& shown) {
-  std::vector<std::string> words{shown.scene->name(), "--set", "output.snapshots=1"};
-  for (const auto& [key, value] : shown.tile.keys) words.insert(words.end(), {"--set", key + "=" + value});
-  return words;
-}
-
-Shown show(const Scene& scene, const fs::path& gallery, int threads) {
-  Shown shown{&scene, scene.gallery(), gallery / "runs" / scene.name(), "", {}};
-  fs::create_directories(shown.folder.parent_path());
-  const fs::path log = shown.folder.string() + ".log";
-  std::vector<std::string> words = arguments_of(shown);
-  words.insert(words.end(), {"--out", shown.folder.string(), "--overwrite"});
-  if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
-  const int code = run_child(words, log);
-  if (code == ExitCode::done)
-    shown.run = read_json(shown.folder / "run.json");
-  else
-    shown.failure = reason_of(code, log);
-  return shown;
+KeyTexts keys_of(const Shown& shown) {
+  KeyTexts keys{{"output.snapshots", "1"}};
+  std::ranges::copy(shown.tile.keys, std::back_inserter(keys));
+  return keys;
 }
 
 /// "L1(rho) 0.021" of what the tile shows, or how far a measure is from converged runs, or the drift of the energy
 /// where nothing is known.
-std::string error_of(const Shown& shown) {
-  const Json& run = shown.run;
-  for (const std::string& field : {shown.tile.field.value_or("rho"), std::string("rho")})
+std::string error_of(const Json& run, const GalleryTile& tile) {
+  for (const std::string& field : {tile.field.value_or("rho"), std::string("rho")})
     if (run["errors"].contains(field))
       return fmt::format("L1({}) {:.2g}", field, run["errors"][field]["l1"].get<double>());
   for (const auto& [measure, deviation] : run["deviations"].items())
@@ -68,27 +56,21 @@ std::string error_of(const Shown& shown) {
   return fmt::format("energy drift {:.0e}", run["conservation"]["energy"].get<double>());
 }
 
-std::string scheme_of(const Json& run) {
-  return fmt::format("{} {} {:g}", run["scheme"].get<std::string>(), run["kernel"].get<std::string>(),
-                     run["neighbours"].get<double>());
-}
-
-std::string particles_of(const Json& run) {
-  return with_prefix(run["particles"]) + " particles";
-}
-
-std::string seconds_of(const Json& run) {
-  return duration_text(run["cpu_seconds"]);
-}
-
-std::string words_of(const Shown& shown) {
-  if (!shown.failure.empty()) return "failed: " + shown.failure;
-  return fmt::format("{}, {}, {} in {}", scheme_of(shown.run), particles_of(shown.run), error_of(shown),
-                     seconds_of(shown.run));
-}
-
-fs::path thumbnail(const Shown& shown) {
-  return shown.folder / "thumbnail.png";
+Shown show(const Scene& scene, const fs::path& gallery, int threads) {
+  Shown shown{&scene, scene.gallery(), gallery / "runs" / scene.name()};
+  fs::create_directories(shown.folder.parent_path());
+  const fs::path log = shown.folder.string() + ".log";
+  const int code = run_child(run_arguments(scene.name(), keys_of(shown), shown.folder, threads), log);
+  if (code != ExitCode::done) {
+    shown.failure = reason_of(code, log);
+    return shown;
+  }
+  const Json run = read_json(shown.folder / "run.json");
+  shown.lines = {
+      fmt::format("{} {} {:g}, {} particles", run["scheme"].get<std::string>(), run["kernel"].get<std::string>(),
+                  run["neighbours"].get<double>(), with_prefix(run["particles"])),
+      error_of(run, shown.tile) + " in " + duration_text(run["cpu_seconds"])};
+  return shown;
 }
 
 /// Draws the thumbnails and the sheet with all of them.
@@ -100,18 +82,11 @@ void draw(const std::vector<Shown>& tiles, const fs::path& sheet) {
                                   resolve_problem((shown.folder / "scene.used.toml").string(), {}), true);
     item["field"] = shown.tile.field.value_or(item["map"].get<bool>() ? "" : "rho");
     item["heading"] = shown.scene->name();
-    item["words"] = {scheme_of(shown.run) + ", " + particles_of(shown.run),
-                     error_of(shown) + " in " + seconds_of(shown.run)};
-    item["out"] = thumbnail(shown).string();
+    item["words"] = shown.lines;
+    item["out"] = shown.thumbnail().string();
     items.push_back(item);
   }
   if (!items.empty()) run_plot_script(Json{{"gallery", items}, {"out", sheet.string()}}.dump());
-}
-
-std::string command_of(const Shown& shown) {
-  std::string text = "sphk run";
-  for (const std::string& word : arguments_of(shown)) text += " " + word;
-  return text;
 }
 
 std::string page_of(const std::vector<Shown>& tiles) {
@@ -123,36 +98,36 @@ std::string page_of(const std::vector<Shown>& tiles) {
   for (const Shown& shown : tiles) {
     const bool there = shown.failure.empty();
     const std::string name = shown.scene->name();
+    std::string command = "sphk run " + name;
+    for (const auto& [key, value] : keys_of(shown)) command += fmt::format(" --set {}={}", key, value);
     body += fmt::format(
         "<figure>{}<figcaption><b>{}</b>: {}<br>{}<br><details><summary>command</summary><code>{}</code></details>"
         "</figcaption></figure>\n",
-        there ? html_image(thumbnail(shown), name) : "", html_text(name), html_text(shown.scene->summary()),
-        html_text(words_of(shown)), html_text(command_of(shown)));
+        there ? html_image(shown.thumbnail(), name) : "", html_text(name), html_text(shown.scene->summary()),
+        html_text(shown.words()), html_text(command));
   }
   return html_page("sphk: the gallery", body + "</div>\n");
 }
 
 }  // namespace
 
-bool make_gallery(const GalleryRequest& request) {
-  for (const std::string& name : request.scenes) find_scene(name);
-  std::vector<const Scene*> wanted;
-  for (const Scene* scene : scenes())
-    if (request.scenes.empty() || std::ranges::find(request.scenes, scene->name()) != request.scenes.end())
-      wanted.push_back(scene);
-  const fs::path folder = request.out.value_or("gallery");
+bool make_gallery(const Batch& batch) {
+  for (const std::string& name : batch.names) find_scene(name);
+  std::vector<const Scene*> wanted = scenes();
+  std::erase_if(wanted, [&](const Scene* scene) { return !batch.wants(scene->name()); });
+  const fs::path folder = batch.out.value_or("gallery");
   fs::create_directories(folder);
   catch_stop_signals();
   std::vector<Shown> tiles;
   for (const Scene* scene : wanted) {
     fmt::print("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), scene->name());
     std::fflush(stdout);
-    tiles.push_back(show(*scene, folder, request.threads));
+    tiles.push_back(show(*scene, folder, batch.threads));
     if (stop_requested()) {
       fmt::print(" stopped\n");
       return false;
     }
-    fmt::print(" {}\n", words_of(tiles.back()));
+    fmt::print(" {}\n", tiles.back().words());
   }
   draw(tiles, folder / "gallery.png");
   write_atomically(folder / "index.html", page_of(tiles));

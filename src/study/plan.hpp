@@ -2,25 +2,28 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "src/study/points.hpp"
 
 namespace sphk {
 
+/// What a study asks of its points. Where a file and the command line both say, the command line has its way.
+struct StudyQuestions {
+  std::string norm;              ///< whose L1 error counts; empty: v, or the first measure that has references
+  double target = 0;             ///< an error to reach; 0: none
+  std::vector<double> budgets;   ///< CPU seconds: which method does best with them?
+  int repeat = 0;                ///< runs of each point; 0: one
+  std::filesystem::path others;  ///< file with points of other engines; empty: none
+  KeyTexts fixed;                ///< keys of all points
+};
+
 /// What a study runs and asks.
-struct StudyPlan {
+struct StudyPlan : StudyQuestions {
   std::string name;     ///< of its file; empty: it comes from the command line
   std::string summary;  ///< one line
   std::string scene;
-  std::string norm;             ///< whose L1 error counts; empty: v, or the first measure that has references
-  double target = 0;            ///< an error to reach; 0: none
-  std::vector<double> budgets;  ///< CPU seconds: which method does best with them?
-  int repeat = 1;
-  std::vector<std::pair<std::string, std::string>> fixed;  ///< keys of all points
   std::vector<StudyPoint> points;
-  std::filesystem::path others;  ///< file with points of other engines; empty: none
 };
 
 /// Is this a study file: TOML with a list of methods or a table of what to vary?

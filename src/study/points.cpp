@@ -6,7 +6,7 @@
 namespace sphk {
 
 std::string StudyPoint::value(const std::string& key) const {
-  const auto entry = std::ranges::find(keys, key, &std::pair<std::string, std::string>::first);
+  const auto entry = std::ranges::find(keys, key, &KeyTexts::value_type::first);
   return entry == keys.end() ? "" : entry->second;
 }
 

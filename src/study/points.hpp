@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "src/run/problem.hpp"
 
 namespace sphk {
 
@@ -14,7 +15,7 @@ struct StudyAxis {
 
 /// One run of a study: keys and values that differ from point to point, in the order of the axes.
 struct StudyPoint {
-  std::vector<std::pair<std::string, std::string>> keys;
+  KeyTexts keys;
 
   /// The value of a key; empty where the study does not vary it.
   std::string value(const std::string& key) const;

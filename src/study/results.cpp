@@ -13,10 +13,9 @@ namespace {
 
 /// Results by rising cost and falling error: those that no other beats in both, and that have logarithms.
 std::vector<StudyResult> worth_their_cost(const std::vector<StudyResult>& results) {
-  const std::vector<bool> front = pareto_front(results);
   std::vector<StudyResult> runs;
-  for (std::size_t k = 0; k < results.size(); ++k)
-    if (front[k] && results[k].error > 0 && results[k].cpu > 0) runs.push_back(results[k]);
+  std::ranges::copy_if(results, std::back_inserter(runs),
+                       [&](const StudyResult& r) { return on_front(r, results) && r.error > 0 && r.cpu > 0; });
   std::ranges::sort(runs, {}, &StudyResult::cpu);
   return runs;
 }
@@ -27,6 +26,10 @@ double on_power_law(double x, double x1, double y1, double x2, double y2) {
 }
 
 }  // namespace
+
+bool any_joules(const std::vector<StudyResult>& results) {
+  return std::ranges::any_of(results, [](const StudyResult& r) { return r.joules.has_value(); });
+}
 
 bool is_field_error(const std::string& norm) {
   return norm == "v" || norm == "rho" || norm == "P" || norm.ends_with("_particles");
@@ -99,14 +102,11 @@ std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& 
   return groups;
 }
 
-std::vector<bool> pareto_front(const std::vector<StudyResult>& results) {
-  std::vector<bool> front;
-  for (const StudyResult& r : results)
-    front.push_back(r.valid() && std::ranges::none_of(results, [&](const StudyResult& other) {
-                      return other.valid() && other.error <= r.error && other.cpu <= r.cpu &&
-                             (other.error < r.error || other.cpu < r.cpu);
-                    }));
-  return front;
+bool on_front(const StudyResult& r, const std::vector<StudyResult>& results) {
+  return r.valid() && std::ranges::none_of(results, [&](const StudyResult& other) {
+           return other.valid() && other.error <= r.error && other.cpu <= r.cpu &&
+                  (other.error < r.error || other.cpu < r.cpu);
+         });
 }
 
 Table study_table(const std::vector<StudyResult>& results, const std::string& norm) {
@@ -114,14 +114,11 @@ Table study_table(const std::vector<StudyResult>& results, const std::string& no
   std::ranges::stable_sort(rows, [](const StudyResult& a, const StudyResult& b) {
     return a.valid() != b.valid() ? a.valid() : a.valid() && a.cpu < b.cpu;
   });
-  const std::vector<bool> front = pareto_front(rows);
-  const bool energy = std::ranges::any_of(rows, [](const StudyResult& r) { return r.joules.has_value(); });
   Table table{{"method", "n", "particles", "L1(" + norm + ")", "dE/E", "steps", "wall s", "CPU s", "updates/s",
                "memory", "best"},
               {}};
-  if (energy) table.head.insert(table.head.end() - 1, "uJ/update");
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const StudyResult& r = rows[k];
+  if (any_joules(rows)) table.head.insert(table.head.end() - 1, "uJ/update");
+  for (const StudyResult& r : rows) {
     std::vector<std::string> row{r.point.method(), r.point.value(resolution_key)};
     if (r.valid())
       row = {r.point.method(),
@@ -136,7 +133,7 @@ Table study_table(const std::vector<StudyResult>& results, const std::string& no
              bytes_text(r.bytes)};
     row.resize(table.head.size(), "-");
     if (r.valid() && r.joules) row[row.size() - 2] = fmt::format("{:.3g}", 1e6 * *r.joules / r.updates);
-    row.back() = !r.valid() ? "failed" : front[k] ? "*" : "";
+    row.back() = !r.valid() ? "failed" : on_front(r, rows) ? "*" : "";
     table.rows.push_back(row);
   }
   return table;

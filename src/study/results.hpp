@@ -24,6 +24,9 @@ struct StudyResult {
   bool valid() const { return failure.empty(); }
 };
 
+/// Has a machine told the energy of any of these?
+bool any_joules(const std::vector<StudyResult>& results);
+
 /// Is this norm the error of a field, against an exact solution? Others are distances from converged runs.
 bool is_field_error(const std::string& norm);
 
@@ -57,8 +60,8 @@ std::optional<Expectation> best_within(const std::vector<StudyResult>& results, 
 /// Results without failure, by method, in the order of first appearance; each by rising cost.
 std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& results);
 
-/// Which results no other beats both in error and in CPU seconds.
-std::vector<bool> pareto_front(const std::vector<StudyResult>& results);
+/// Does no other of the results beat this one both in error and in CPU seconds?
+bool on_front(const StudyResult& result, const std::vector<StudyResult>& results);
 
 /// All results by rising cost, a star at those on the front; failures at the end.
 Table study_table(const std::vector<StudyResult>& results, const std::string& norm);

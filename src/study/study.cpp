@@ -8,10 +8,12 @@
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/machine.hpp"
+#include "src/report/process.hpp"
 #include "src/report/quantity.hpp"
 #include "src/run/failure.hpp"
 #include "src/run/stop_signal.hpp"
 #include "src/study/child.hpp"
+#include "src/study/others.hpp"
 #include "src/study/study_files.hpp"
 #include "src/study/study_progress.hpp"
 #include "src/study/study_record.hpp"
@@ -24,6 +26,60 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+KeyTexts keys_of(const StudyPlan& plan, const StudyPoint& point) {
+  KeyTexts keys = plan.fixed;
+  std::ranges::copy(point.keys, std::back_inserter(keys));
+  return keys;
+}
+
+/// A preset's file, a study file, or the axes of the command line; with the request's own choices.
+StudyPlan asked_plan(const StudyRequest& request) {
+  const std::string& what = request.what;
+  const fs::path preset = shared_folder() / "studies" / (what + ".toml");
+  const bool named = what.find('/') == std::string::npos && fs::exists(preset);
+  StudyPlan plan;
+  if (named || is_study_file(what)) {
+    plan = read_study_file(named ? preset : fs::path(what));
+    if (!request.axes.empty())
+      throw InputError(fmt::format("{} says itself what it runs; name its scene, {}, to choose on the command line",
+                                   what, plan.scene));
+  } else {
+    plan.scene = what;
+    plan.points = product_of(request.axes);
+  }
+  for (const auto& key : request.fixed) {
+    std::erase_if(plan.fixed, [&](const auto& other) { return other.first == key.first; });
+    plan.fixed.push_back(key);
+  }
+  if (!request.norm.empty()) plan.norm = request.norm;
+  if (request.target > 0) plan.target = request.target;
+  if (!request.budgets.empty()) plan.budgets = request.budgets;
+  plan.repeat = request.repeat > 0 ? request.repeat : std::max(plan.repeat, 1);
+  if (!request.others.empty()) plan.others = request.others;
+  return plan;
+}
+
+/// Throws InputError where a point's keys are none or nothing measures its error, before anything runs. Chooses the
+/// norm where nobody did.
+void check(StudyPlan& plan) {
+  for (const StudyPoint& point : plan.points) {
+    const Problem problem = resolve_problem(plan.scene, overrides_of(keys_of(plan, point)));
+    if (problem.scene->exact(problem.settings)) {
+      if (plan.norm.empty()) plan.norm = "v";
+      continue;
+    }
+    const std::vector<Reference> references = problem.scene->references(problem.settings);
+    if (const std::string wanted = problem.scene->keys_with_references(); references.empty())
+      throw InputError(fmt::format(
+          "{} has neither an exact solution nor values of converged runs{}", plan.scene,
+          wanted.empty() ? ", so there is no error to study" : " with these keys; it has them with --set " + wanted));
+    if (plan.norm.empty()) plan.norm = references[0].measure;
+    if (std::ranges::find(references, plan.norm, &Reference::measure) == references.end())
+      throw InputError(fmt::format("{} has no converged values of \"{}\"; take --norm {}", plan.scene, plan.norm,
+                                   references[0].measure));
+  }
+}
 
 class Study {
  public:
@@ -59,15 +115,9 @@ class Study {
 };
 
 std::vector<std::string> Study::arguments(const StudyPoint& point, const fs::path& folder) const {
-  std::vector<std::string> words{plan_.scene, "--out", folder.string(), "--overwrite"};
-  const auto set = [&](const std::string& key, const std::string& value) {
-    words.insert(words.end(), {"--set", key + "=" + value});
-  };
-  set("output.snapshots", "1");
-  for (const auto& [key, value] : plan_.fixed) set(key, value);
-  for (const auto& [key, value] : point.keys) set(key, value);
-  if (threads_ > 0) words.insert(words.end(), {"--threads", std::to_string(threads_)});
-  return words;
+  KeyTexts keys = keys_of(plan_, point);
+  keys.insert(keys.begin(), {"output.snapshots", "1"});
+  return run_arguments(plan_.scene, keys, folder, threads_);
 }
 
 double Study::trial(const StudyPoint& point) const {
@@ -141,7 +191,7 @@ void Study::run(double max_seconds) {
       fmt::print("stopped; the same command goes on where it was\n");
       return;
     }
-    const StudyResult result = result_of(point, record_.json["points"][point.name()], plan_.norm);
+    const StudyResult result = record_.result(point, plan_.norm);
     progress.end(result.valid() ? fmt::format("L1({}) {:.4g}", plan_.norm, result.error) : "failed: " + result.failure);
   }
 }
@@ -149,7 +199,7 @@ void Study::run(double max_seconds) {
 std::vector<StudyResult> Study::results() const {
   std::vector<StudyResult> results;
   for (const StudyPoint& point : plan_.points)
-    if (record_.has(point)) results.push_back(result_of(point, record_.json["points"][point.name()], plan_.norm));
+    if (record_.has(point)) results.push_back(record_.result(point, plan_.norm));
   return results;
 }
 
@@ -171,7 +221,9 @@ void Study::conclude(const std::optional<fs::path>& report) {
 }  // namespace
 
 void study(const StudyRequest& request) {
-  StudyPlan plan = plan_of(request);
+  StudyPlan plan = asked_plan(request);
+  check(plan);
+  if (!plan.others.empty()) read_others(plan.others);
   catch_stop_signals();
   Study study(std::move(plan), request);
   study.announce();

@@ -8,13 +8,9 @@ namespace sphk {
 
 namespace {
 
-constexpr double worse_error = 1.02, slower = 1.15;  // what counts as a regression: beyond the noise of timings
+using Json = nlohmann::ordered_json;
 
-StudyPoint point_of(const nlohmann::ordered_json& entry) {
-  StudyPoint point;
-  for (const auto& [key, value] : entry["keys"].items()) point.keys.emplace_back(key, value.get<std::string>());
-  return point;
-}
+constexpr double worse_error = 1.02, slower = 1.15;  // what counts as a regression: beyond the noise of timings
 
 std::string file_and_machine(const StudyRecord& record) {
   return fmt::format("{}, {}", record.file.string(), record.json["machine"].dump());
@@ -27,10 +23,11 @@ StudyComparison compare_studies(const std::filesystem::path& before, const std::
   const StudyRecord old_record = read_record(before), new_record = read_record(after);
   const std::string field = norm.empty() ? old_record.json.value("norm", "v") : norm;
   StudyComparison comparison{file_and_machine(old_record), file_and_machine(new_record), {}};
-  for (const auto& [name, entry] : old_record.json["points"].items()) {
-    const StudyPoint point = point_of(entry);
-    if (!new_record.has(point)) continue;
-    const StudyResult a = result_of(point, entry, field), b = result_of(point, new_record.json["points"][name], field);
+  for (const Json& entry : old_record.json["points"]) {
+    StudyPoint point;
+    for (const auto& [key, value] : entry["keys"].items()) point.keys.emplace_back(key, value.get<std::string>());
+    if (!old_record.has(point) || !new_record.has(point)) continue;
+    const StudyResult a = old_record.result(point, field), b = new_record.result(point, field);
     if (!a.failure.empty()) continue;
     const double error = b.error / a.error, cpu = b.cpu / a.cpu;
     const std::string verdict = !b.failure.empty()    ? "fails now: " + b.failure

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A method's points, as the drawing script takes them.
-Json line_of(const std::vector<StudyResult>& method, const std::vector<std::string>& front) {
+Json line_of(const std::vector<StudyResult>& method, const std::vector<StudyResult>& all) {
   const auto order = fitted_order(method);
   Json points = Json::array();
   for (const StudyResult& r : method)
@@ -27,17 +27,16 @@ Json line_of(const std::vector<StudyResult>& method, const std::vector<std::stri
                       {"cpu", r.cpu},
                       {"pairs", r.pairs},
                       {"drift", r.energy_drift},
-                      {"front", std::ranges::find(front, r.point.name()) != front.end()}});
+                      {"front", on_front(r, all)}});
   return {{"method", method[0].point.method()}, {"order", order ? Json(*order) : Json(nullptr)}, {"points", points}};
 }
 
 }  // namespace
 
 std::vector<std::string> names_on_front(const std::vector<StudyResult>& results) {
-  const std::vector<bool> front = pareto_front(results);
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < results.size(); ++k)
-    if (front[k]) names.push_back(results[k].point.name());
+  for (const StudyResult& r : results)
+    if (on_front(r, results)) names.push_back(r.point.name());
   return names;
 }
 
@@ -55,9 +54,8 @@ void write_table(const fs::path& path, const std::vector<StudyResult>& results) 
 
 void draw_study(const fs::path& path, const StudyPlan& plan, const std::string& machine,
                 const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others) {
-  const std::vector<std::string> front = names_on_front(results);
   Json lines = Json::array();
-  for (const auto& group : by_method(results)) lines.push_back(line_of(group, front));
+  for (const auto& group : by_method(results)) lines.push_back(line_of(group, results));
   if (lines.empty()) return;
   Json failures = Json::array(), elsewhere = Json::array();
   for (const StudyResult& r : results)

@@ -56,7 +56,8 @@ StudyRecord read_record(const fs::path& path) {
   return record;
 }
 
-StudyResult result_of(const StudyPoint& point, const Json& entry, const std::string& norm) {
+StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm) const {
+  const Json& entry = json["points"][point.name()];
   StudyResult r;
   r.point = point;
   r.failure = entry.value("failure", "");

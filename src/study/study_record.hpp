@@ -14,6 +14,8 @@ struct StudyRecord {
   nlohmann::ordered_json json;
 
   bool has(const StudyPoint& point) const { return json["points"].contains(point.name()); }
+  /// What the runs of a point that it has came to, by the norm of that field.
+  StudyResult result(const StudyPoint& point, const std::string& norm) const;
   void save() const;
 };
 
@@ -24,8 +26,5 @@ StudyRecord open_record(const StudyPlan& plan, const std::filesystem::path& fold
 StudyRecord read_record(const std::filesystem::path& path);
 
 nlohmann::ordered_json read_json(const std::filesystem::path& path);
-
-/// What the runs of a point came to, by the norm of that field.
-StudyResult result_of(const StudyPoint& point, const nlohmann::ordered_json& entry, const std::string& norm);
 
 }  // namespace sphk

@@ -55,14 +55,15 @@ StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& r
   const auto add = [&](const std::string& title, Table table, const std::string& note = "") {
     if (!table.rows.empty()) answers.parts.push_back({title, std::move(table), note});
   };
-  const bool energy = std::ranges::any_of(results, [](const StudyResult& r) { return r.joules.has_value(); });
   if (plan.target > 0) add("Time to the target", target_table(results, plan.target));
   if (!plan.budgets.empty()) add("Best choice for a time", budget_table(results, plan.budgets));
   if (!others.empty())
     add("To reach what others reach", others_table(results, others),
         fmt::format("Their time was measured on another machine: {}.", machines_of(others)));
   add("Runs by rising cost", study_table(results, plan.norm),
-      energy ? "" : "The energy that an update takes is left out: this machine does not let it be read (RAPL).");
+      any_joules(results)
+          ? ""
+          : "The energy that an update takes is left out: this machine does not let it be read (RAPL).");
   Table failures{{"failed run", "n", "after s", "why"}, {}, {0, 3}};
   for (const StudyResult& r : results)
     if (!r.valid())

@@ -25,6 +25,26 @@ bool PublishedValue::agrees() const {
   return std::abs(difference()) <= half_last_digit(printed) * (1 + 1e-9);
 }
 
+std::string PublishedTable::text() const {
+  std::string text =
+      fmt::format("{}\n  {:<16} {:<17} {:>9} {:>12} {:>11}\n", title, "", "", "printed", "computed", "difference");
+  std::string last;
+  for (const PublishedValue& v : values) {
+    text += fmt::format("  {:<16} {:<17} {:>9} {:>12.5g} {:>+11.1e}{}\n", v.row == last ? "" : v.row, v.quantity,
+                        v.printed, v.computed, v.difference(), v.agrees() ? "" : "  *");
+    last = v.row;
+  }
+  return note.empty() ? text : text + "  " + note + "\n";
+}
+
+std::string PublishedTable::csv() const {
+  std::string csv = "row,quantity,printed,computed,difference,agrees\n";
+  for (const PublishedValue& v : values)
+    csv += fmt::format("\"{}\",\"{}\",{},{:.10g},{:.3g},{}\n", v.row, v.quantity, v.printed, v.computed, v.difference(),
+                       v.agrees() ? "yes" : "no");
+  return csv;
+}
+
 namespace {
 
 /// Densities that the kernel measures on that arrangement of unit density, in ascending order.

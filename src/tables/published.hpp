@@ -21,6 +21,10 @@ struct PublishedTable {
   std::string title;  ///< with paper and table
   std::string note;   ///< what the paper's numbers need to be read with; may be empty
   std::vector<PublishedValue> values;
+
+  /// In lines for people, a star at what does not agree; and as CSV.
+  std::string text() const;
+  std::string csv() const;
 };
 
 /// Half a unit of the last digit of a printed number: 0.005 for "1.02".

@@ -64,11 +64,7 @@ TEST_F(Extremes, WithWrongKeysOrValuesAreRefusedBeforeAnythingRuns) {
 /// Defaults may change; what an extreme run computes may not.
 TEST(ExtremesOfSphk, SayInFullWhatTheyRunAndHaveBounds) {
   std::set<std::string> names;
-  const auto check = [](const std::string& scene, const ExtremeCase::Keys& keys) {
-    std::vector<Override> overrides;
-    for (const auto& [key, text] : keys) overrides.push_back({key, text, key});
-    resolve_problem(scene, overrides);
-  };
+  const auto check = [](const std::string& scene, const KeyTexts& keys) { resolve_problem(scene, overrides_of(keys)); };
   for (const ExtremeCase& one : extremes_in(SPHK_STUDIES "/extremes", check)) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_FALSE(one.summary.empty()) << one.name;

@@ -48,7 +48,7 @@ void read_plan(const std::filesystem::path& path) {
 }
 
 void read_cases(const std::filesystem::path& path) {
-  const auto check = [](const std::string&, const ExtremeCase::Keys& keys) {
+  const auto check = [](const std::string&, const KeyTexts& keys) {
     Settings settings = some_settings();
     for (const auto& [key, text] : keys) settings.set_from_text(key, text, Origin::file);
   };

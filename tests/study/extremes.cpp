@@ -109,7 +109,7 @@ TEST_F(ExtremesFile, SaysWhatIsWrongAndWhere) {
 }
 
 TEST_F(ExtremesFile, ShowsWhatIsSaidAgainstSceneAndKeys) {
-  const auto check = [](const std::string& scene, const ExtremeCase::Keys& keys) {
+  const auto check = [](const std::string& scene, const KeyTexts& keys) {
     if (scene != "sod") throw InputError("no scene " + scene);
     for (const auto& [key, value] : keys)
       if (key != "scene.n" || value != "3") throw InputError(key + " = " + value + " is wrong");

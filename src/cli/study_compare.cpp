@@ -1,19 +1,12 @@
-#include "src/study/study.hpp"
+#include "src/study/study_compare.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "src/cli/commands.hpp"
-#include "src/run/stop_signal.hpp"
-#include "src/study/study_compare.hpp"
 
 namespace sphk {
-
-int study_command(const StudyRequest& request) {
-  study(request);
-  return stop_requested() ? ExitCode::stopped : ExitCode::done;
-}
 
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm) {
