@@ -36,7 +36,7 @@ struct Shown {
 
 std::vector<std::string> arguments_of(const Shown& shown) {
   std::vector<std::string> words{shown.scene->name(), "--set", "output.snapshots=1"};
-  for (const auto& [key, value] : shown.tile.keys) words.insert(words.end(), {"--set", key + "=" + value});
+  for (const std::string& key : shown.tile.keys) words.insert(words.end(), {"--set", key});
   return words;
 }
 
