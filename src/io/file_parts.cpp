@@ -23,19 +23,11 @@ fs::path first_existing(const fs::path& path) {
   return path;
 }
 
-double number_of_parts(const fs::path& path) {
-  const hdf5::File file = hdf5::File::open(path);
-  const hdf5::Group header = file.group("Header");
-  if (!header.has_attribute("NumFilesPerSnapshot")) return 1;
-  const auto values = header.numbers("NumFilesPerSnapshot");
-  return values.empty() ? 1 : values[0];
-}
-
 }  // namespace
 
 std::vector<fs::path> file_parts(const fs::path& path) {
   const fs::path first = first_existing(path);
-  const double count = number_of_parts(first);
+  const double count = hdf5::File::open(first).group("Header").number_or("NumFilesPerSnapshot", 1);
   if (!(count > 1)) return {first};
   const fs::path stem = first.stem();  // "x.7" of x.7.hdf5
   const std::string number = stem.extension().string();

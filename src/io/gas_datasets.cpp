@@ -58,23 +58,23 @@ void require_rows(const hdf5::Dataset& dataset, std::size_t rows) {
     wrong_shape(dataset, fmt::format("one row for each of the {} rows of Coordinates", rows));
 }
 
-/// Rows of one to three numbers, padded with zeros; any number of rows where `rows` is empty.
+/// All numbers, of rows of up to `most`; any number of rows where `rows` is empty.
+std::vector<double> read_values(const hdf5::Dataset& dataset, std::size_t most, std::optional<std::size_t> rows,
+                                NonFinite non_finite) {
+  const std::size_t columns = columns_of(dataset, most);
+  if (rows) require_rows(dataset, *rows);
+  std::vector<double> values = dataset.read<double>();
+  if (non_finite == NonFinite::refuse) require_finite(dataset, values, columns);
+  return values;
+}
+
+/// Rows of one to three numbers, padded with zeros.
 std::vector<Array3> read_vectors(const hdf5::Dataset& dataset, std::optional<std::size_t> rows, NonFinite non_finite) {
   const std::size_t columns = columns_of(dataset, 3);
-  if (rows) require_rows(dataset, *rows);
-  const std::vector<double> values = dataset.read<double>();
-  if (non_finite == NonFinite::refuse) require_finite(dataset, values, columns);
+  const std::vector<double> values = read_values(dataset, 3, rows, non_finite);
   std::vector<Array3> vectors(values.size() / columns);
   for (std::size_t i = 0; i < values.size(); ++i) vectors[i / columns][i % columns] = values[i];
   return vectors;
-}
-
-std::vector<double> read_scalars(const hdf5::Dataset& dataset, std::size_t rows, NonFinite non_finite) {
-  columns_of(dataset, 1);
-  require_rows(dataset, rows);
-  std::vector<double> values = dataset.read<double>();
-  if (non_finite == NonFinite::refuse) require_finite(dataset, values, 1);
-  return values;
 }
 
 std::vector<std::uint64_t> read_ids(const hdf5::Dataset& dataset, std::size_t rows) {
@@ -91,26 +91,28 @@ std::vector<std::uint64_t> read_ids(const hdf5::Dataset& dataset, std::size_t ro
   return {values.begin(), values.end()};
 }
 
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
 }  // namespace
 
-GasDatasets read_gas(const hdf5::Group& gas, double table_mass, NonFinite non_finite) {
-  GasDatasets out;
-  const hdf5::Dataset coordinates = require(gas, {"Coordinates"});
-  out.columns = static_cast<int>(columns_of(coordinates, 3));
-  out.x = read_vectors(coordinates, std::nullopt, non_finite);
-  const std::size_t n = out.x.size();
-  out.v = read_vectors(require(gas, {"Velocities", "Velocity"}), n, non_finite);
-  out.u = read_scalars(require(gas, {"InternalEnergies", "InternalEnergy"}), n, non_finite);
-  if (const auto masses = find(gas, {"Masses", "Mass"}))
-    out.m = read_scalars(*masses, n, non_finite);
-  else if (table_mass > 0)
-    out.m.assign(n, table_mass);
+void add_gas(ParticleSet& gas, const hdf5::Group& group, double table_mass, NonFinite non_finite) {
+  const hdf5::Dataset coordinates = require(group, {"Coordinates"});
+  gas.dimension = static_cast<int>(columns_of(coordinates, 3));
+  const std::vector<Array3> x = read_vectors(coordinates, std::nullopt, non_finite);
+  const auto scalars = [&](const hdf5::Dataset& dataset) { return read_values(dataset, 1, x.size(), non_finite); };
+  append(gas.x, x);
+  append(gas.v, read_vectors(require(group, {"Velocities", "Velocity"}), x.size(), non_finite));
+  append(gas.u, scalars(require(group, {"InternalEnergies", "InternalEnergy"})));
+  if (!find(group, {"Masses", "Mass"}) && table_mass > 0)
+    gas.m.resize(gas.x.size(), table_mass);
   else
-    require(gas, {"Masses", "Mass"});
-  if (const auto h = find(gas, {"SmoothingLength", "SmoothingLengths"})) out.h = read_scalars(*h, n, non_finite);
-  if (const auto alpha = find(gas, {"Alpha"})) out.alpha = read_scalars(*alpha, n, non_finite);
-  if (const auto ids = find(gas, {"ParticleIDs", "ParticleID"})) out.id = read_ids(*ids, n);
-  return out;
+    append(gas.m, scalars(require(group, {"Masses", "Mass"})));
+  if (const auto h = find(group, {"SmoothingLength", "SmoothingLengths"})) append(gas.h, scalars(*h));
+  if (const auto alpha = find(group, {"Alpha"})) append(gas.alpha, scalars(*alpha));
+  if (const auto ids = find(group, {"ParticleIDs", "ParticleID"})) append(gas.id, read_ids(*ids, x.size()));
 }
 
 }  // namespace sphk

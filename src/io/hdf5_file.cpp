@@ -72,7 +72,7 @@ Handle string_type(std::size_t size) {
   return type;
 }
 
-Handle space(std::span<const hsize_t> shape) {
+Handle space(const std::vector<hsize_t>& shape) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
 }
 
@@ -97,9 +97,24 @@ bool Object::has_attribute(const std::string& name) const {
   return H5Aexists(id_.get(), name.c_str()) > 0;
 }
 
-std::vector<double> Object::numbers(const std::string& name) const {
-  const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
+Handle Object::attribute(const std::string& name) const {
+  Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
   if (attribute.get() < 0) fail(fmt::format("there is no attribute \"{}\"", name));
+  return attribute;
+}
+
+void Object::read_attribute(const std::string& name, const Handle& attribute, hid_t type, void* values) const {
+  if (H5Aread(attribute.get(), type, values) < 0) fail(fmt::format("the attribute \"{}\" cannot be read", name));
+}
+
+std::vector<double> Object::numbers_or(const std::string& name, std::vector<double> missing) const {
+  if (!has_attribute(name)) return missing;
+  auto values = numbers(name);
+  return values.empty() ? missing : values;
+}
+
+std::vector<double> Object::numbers(const std::string& name) const {
+  const Handle attribute = this->attribute(name);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
   if (!is_plain_number(type.get())) fail(fmt::format("the attribute \"{}\" is not a number", name));
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
@@ -107,14 +122,12 @@ std::vector<double> Object::numbers(const std::string& name) const {
   if (count < 0 || static_cast<std::size_t>(count) > max_attribute_size / sizeof(double))
     fail(fmt::format("the attribute \"{}\" has an impossible size", name));
   std::vector<double> values(static_cast<std::size_t>(count));
-  if (count > 0 && H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, values.data()) < 0)
-    fail(fmt::format("the attribute \"{}\" cannot be read", name));
+  if (count > 0) read_attribute(name, attribute, H5T_NATIVE_DOUBLE, values.data());
   return values;
 }
 
 std::string Object::text(const std::string& name) const {
-  const Handle attribute(H5Aopen(id_.get(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  if (attribute.get() < 0) fail(fmt::format("there is no attribute \"{}\"", name));
+  const Handle attribute = this->attribute(name);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
   const std::size_t size = H5Tget_size(type.get());
@@ -123,50 +136,48 @@ std::string Object::text(const std::string& name) const {
     fail(fmt::format("the attribute \"{}\" is not one string", name));
   if (H5Tis_variable_str(type.get()) > 0) {
     char* chars = nullptr;
-    if (H5Aread(attribute.get(), type.get(), &chars) < 0 || !chars)
-      fail(fmt::format("the attribute \"{}\" cannot be read", name));
+    read_attribute(name, attribute, type.get(), &chars);
+    if (!chars) fail(fmt::format("the attribute \"{}\" cannot be read", name));
     const std::string value(chars);
     H5free_memory(chars);
     return value;
   }
   std::string value(size, '\0');
-  if (H5Aread(attribute.get(), type.get(), value.data()) < 0)
-    fail(fmt::format("the attribute \"{}\" cannot be read", name));
+  read_attribute(name, attribute, type.get(), value.data());
   value.resize(std::min(size, value.find('\0')));
   return value;
 }
 
 void Object::set(const std::string& name, std::string_view text) {
   const Handle type = string_type(text.size());
-  const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(id_.get(), name.c_str(), type.get(), scalar.get(), H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
-  if (attribute.get() < 0 || H5Awrite(attribute.get(), type.get(), padded.data()) < 0)
-    fail(fmt::format("the attribute \"{}\" cannot be written", name));
+  write_attribute(name, type.get(), {H5Screate(H5S_SCALAR), H5Sclose}, padded.data());
 }
 
 void Object::set_numbers(const std::string& name, hid_t type, const void* values, std::size_t count) {
-  const hsize_t shape[] = {count};
-  const Handle extent = space(shape);
+  write_attribute(name, type, space({count}), values);
+}
+
+void Object::write_attribute(const std::string& name, hid_t type, const Handle& extent, const void* values) {
   const Handle attribute(H5Acreate2(id_.get(), name.c_str(), type, extent.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   if (attribute.get() < 0 || H5Awrite(attribute.get(), type, values) < 0)
     fail(fmt::format("the attribute \"{}\" cannot be written", name));
 }
 
+Handle Dataset::type() const {
+  return {H5Dget_type(id_.get()), H5Tclose};
+}
+
 bool Dataset::is_number() const {
-  const Handle type(H5Dget_type(id_.get()), H5Tclose);
-  return is_plain_number(type.get());
+  return is_plain_number(type().get());
 }
 
 bool Dataset::is_integer() const {
-  const Handle type(H5Dget_type(id_.get()), H5Tclose);
-  return H5Tget_class(type.get()) == H5T_INTEGER;
+  return H5Tget_class(type().get()) == H5T_INTEGER;
 }
 
 bool Dataset::is_signed() const {
-  const Handle type(H5Dget_type(id_.get()), H5Tclose);
-  return H5Tget_sign(type.get()) == H5T_SGN_2;
+  return H5Tget_sign(type().get()) == H5T_SGN_2;
 }
 
 std::vector<hsize_t> Dataset::shape() const {
@@ -180,10 +191,9 @@ std::vector<hsize_t> Dataset::shape() const {
 
 std::size_t Dataset::checked_size() const {
   if (!is_number()) fail("it does not hold numbers");
-  const Handle type(H5Dget_type(id_.get()), H5Tclose);
   double count = 1;
   for (const hsize_t rows : shape()) count *= static_cast<double>(rows);
-  const double bytes = count * static_cast<double>(H5Tget_size(type.get()));
+  const double bytes = count * static_cast<double>(H5Tget_size(type().get()));
   const Handle properties(H5Dget_create_plist(id_.get()), H5Pclose);
   const double factor = H5Pget_layout(properties.get()) == H5D_CHUNKED ? max_compression : 1;
   const double stored = stored_size(id_.get(), properties.get());

@@ -6,7 +6,6 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,6 +59,9 @@ class Object {
   bool has_attribute(const std::string& name) const;
   /// All numbers of an attribute, scalar or array, of any numeric type.
   std::vector<double> numbers(const std::string& name) const;
+  /// The same, or its first number, of an attribute that may be missing or empty.
+  std::vector<double> numbers_or(const std::string& name, std::vector<double> missing) const;
+  double number_or(const std::string& name, double missing) const { return numbers_or(name, {missing})[0]; }
   /// A string attribute of fixed or variable length, without padding.
   std::string text(const std::string& name) const;
 
@@ -68,16 +70,12 @@ class Object {
   void set(const std::string& name, const char* text) { set(name, std::string_view(text)); }
   /// A one-dimensional array; one number is an array of one element.
   template <Number T>
-  void set(const std::string& name, std::span<const T> values) {
+  void set(const std::string& name, const std::vector<T>& values) {
     set_numbers(name, native_type<T>(), values.data(), values.size());
   }
   template <Number T>
-  void set(const std::string& name, const std::vector<T>& values) {
-    set(name, std::span<const T>(values));
-  }
-  template <Number T>
   void set(const std::string& name, T value) {
-    set(name, std::span<const T>(&value, 1));
+    set_numbers(name, native_type<T>(), &value, 1);
   }
 
   /// Where the object lies in the file: equal for hard links to the same one.
@@ -91,6 +89,9 @@ class Object {
   Handle id_;
 
  private:
+  Handle attribute(const std::string& name) const;
+  void read_attribute(const std::string& name, const Handle& attribute, hid_t type, void* values) const;
+  void write_attribute(const std::string& name, hid_t type, const Handle& extent, const void* values);
   void set_numbers(const std::string& name, hid_t type, const void* values, std::size_t count);
 };
 
@@ -112,6 +113,7 @@ class Dataset : public Object {
   }
 
  private:
+  Handle type() const;
   std::size_t checked_size() const;
   void read_into(hid_t type, void* values) const;
 };
@@ -129,13 +131,9 @@ class Group : public Object {
 
   /// Writes `values`, of shape rows x columns, or one-dimensional when columns is 0; gzip and shuffle if `compressed`.
   template <Number T>
-  Dataset write(const std::string& name, std::span<const T> values, hsize_t columns = 0, bool compressed = false) {
+  Dataset write(const std::string& name, const std::vector<T>& values, hsize_t columns = 0, bool compressed = false) {
     return write_dataset(name, native_type<T>(), values.data(), values.size() / (columns ? columns : 1), columns,
                          compressed);
-  }
-  template <Number T>
-  Dataset write(const std::string& name, const std::vector<T>& values, hsize_t columns = 0, bool compressed = false) {
-    return write(name, std::span<const T>(values), columns, compressed);
   }
 
   /// Makes `name` a second name of the object at `path`, absolute within the file: a hard link, no copy.

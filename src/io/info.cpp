@@ -54,8 +54,7 @@ std::string foreign_lines(const hdf5::Group& header) {
 std::string particle_lines(const hdf5::File& file, const hdf5::Group& header) {
   static constexpr const char* names[] = {"gas", "dark matter", "disc", "bulge", "stars", "black holes", "neutrinos"};
   std::string text;
-  const auto counts =
-      header.has_attribute("NumPart_ThisFile") ? header.numbers("NumPart_ThisFile") : std::vector<double>{};
+  const auto counts = header.numbers_or("NumPart_ThisFile", {});
   for (std::size_t type = 0; type < counts.size(); ++type)
     if (counts[type] > 0 || file.has(fmt::format("PartType{}", type)))
       text += line(type < std::size(names) ? names[type] : "other",

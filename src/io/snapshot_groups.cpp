@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <tuple>
 
 #include "src/engine/geometry.hpp"
 #include "src/io/kernel_gamma.hpp"
@@ -20,6 +21,13 @@ std::vector<T> gas_only(T count) {
   std::vector<T> counts(particle_types, T{0});
   counts[0] = count;
   return counts;
+}
+
+/// Least and largest coordinate along an axis; x holds at least one row of three.
+std::pair<double, double> extent(const std::vector<double>& x, std::size_t axis) {
+  std::pair<double, double> ends{x[axis], x[axis]};
+  for (std::size_t i = axis; i < x.size(); i += 3) ends = {std::min(ends.first, x[i]), std::max(ends.second, x[i])};
+  return ends;
 }
 
 std::vector<double> to_vector(const Array3& a) {
@@ -47,8 +55,7 @@ ReadersBox readers_box(const Snapshot& snapshot) {
     for (const double h : snapshot.field("SmoothingLength").values) h_max = std::max(h_max, h);
   for (std::size_t k = 0; k < dimension; ++k) {
     if (snapshot.box.periodic[k]) continue;
-    double low = x[k], high = x[k];
-    for (std::size_t i = k; i < x.size(); i += 3) low = std::min(low, x[i]), high = std::max(high, x[i]);
+    const auto [low, high] = extent(x, k);
     out.size[k] = std::max(out.size[k], high - low + 2 * h_max);
   }
   return out;
@@ -177,11 +184,7 @@ void write_cells(hdf5::File& file, const Snapshot& snapshot) {
   for (std::size_t k = 0; k < 3; ++k) {
     centre[k] = box.lower[k] + 0.5 * box.size[k];
     highest[k] = box.lower[k] + box.size[k];
-    if (snapshot.size() > 0) lowest[k] = highest[k] = x[k];
-    for (std::size_t i = k; i < x.size(); i += 3) {
-      lowest[k] = std::min(lowest[k], x[i]);
-      highest[k] = std::max(highest[k], x[i]);
-    }
+    if (!x.empty()) std::tie(lowest[k], highest[k]) = extent(x, k);
   }
   hdf5::Group cells = file.create_group("Cells");
   hdf5::Group meta = cells.create_group("Meta-data");

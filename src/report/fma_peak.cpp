@@ -84,10 +84,6 @@ double flops_per_second() {
 
 }  // namespace
 
-double FmaPeak::of(std::string_view precision) const {
-  return precision == "double" ? twofold : single;
-}
-
 FmaPeak measure_fma_peak() {
   return {flops_per_second<float>(), flops_per_second<double>()};
 }

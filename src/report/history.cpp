@@ -71,10 +71,6 @@ History::History(const std::filesystem::path& path, std::uintmax_t bytes) : path
   started_ = true;
 }
 
-std::uintmax_t History::bytes() const {
-  return std::filesystem::file_size(path_);
-}
-
 std::vector<HistoryRow> read_history(const std::filesystem::path& path) {
   const CsvTable table = read_csv(path);
   std::vector<HistoryRow> rows;

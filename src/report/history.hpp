@@ -24,7 +24,7 @@ class History {
   /// Appends a row and flushes it. A measure that the first row did not have is left out; one it had and this row has
   /// not is "nan".
   void add(const StepReport& step, const Totals& totals, const Conservation& drift, const Measures& measures);
-  std::uintmax_t bytes() const;
+  std::uintmax_t bytes() const { return std::filesystem::file_size(path_); }
 
  private:
   std::filesystem::path path_;

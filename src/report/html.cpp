@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "src/engine/errors.hpp"
 
@@ -60,23 +61,9 @@ std::string base64(const std::string& bytes) {
 }  // namespace
 
 std::string html_text(const std::string& text) {
+  static const std::map<char, std::string> escapes{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string html;
-  for (const char c : text) switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
+  for (const char c : text) html += escapes.contains(c) ? escapes.at(c) : std::string(1, c);
   return html;
 }
 

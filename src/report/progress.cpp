@@ -48,20 +48,14 @@ bool Progress::due() const {
 }
 
 void Progress::report(const StepReport& step, long updates, double energy_drift) {
+  if (style_ == ProgressStyle::none) return;
   const Speed now = speed(step, updates);
-  switch (style_) {
-    case ProgressStyle::bar:
-      print_bar(step, now, energy_drift);
-      break;
-    case ProgressStyle::lines:
-      print_line(step, now, energy_drift);
-      break;
-    case ProgressStyle::json:
-      print_json(step, now, energy_drift);
-      break;
-    case ProgressStyle::none:
-      return;
-  }
+  if (style_ == ProgressStyle::bar)
+    print_bar(step, now, energy_drift);
+  else if (style_ == ProgressStyle::json)
+    print_json(step, now, energy_drift);
+  else
+    print_line(step, now, energy_drift);
   std::fflush(out_);
   started_ = true;
   last_wall_ = watch_.wall();

@@ -16,7 +16,7 @@
 #include "src/run/stop_signal.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
-#include "src/stability/verdict.hpp"
+#include "src/stability/dispersion.hpp"
 
 namespace sphk {
 

@@ -11,7 +11,7 @@
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/plot_script.hpp"
-#include "src/stability/verdict.hpp"
+#include "src/stability/dispersion.hpp"
 
 namespace sphk {
 

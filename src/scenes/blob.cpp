@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "src/scenes/block.hpp"
+#include "src/scenes/initial_condition.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mixing.hpp"
 #include "src/scenes/scenes.hpp"
-#include "src/scenes/temperatures.hpp"
 
 namespace sphk {
 
@@ -55,11 +55,8 @@ Array3 disturbance(const Array3& x) {
 /// The cloud's gas on a lattice of that spacing around the centre.
 std::vector<Array3> cloud_points(double spacing) {
   const int across = 2 * static_cast<int>(std::ceil(1 / spacing));
-  Block block{.dimension = 3, .counts = even_counts(3, across)};
-  for (int axis = 0; axis < 3; ++axis) {
-    block.size[axis] = across * spacing;
-    block.lower[axis] = centre[axis] - block.size[axis] / 2;
-  }
+  Block block = centred_cube(3, across, across * spacing / 2);
+  for (int axis = 0; axis < 3; ++axis) block.lower[axis] += centre[axis];
   std::vector<Array3> inside;
   for (const Array3& x : lattice_points(block))
     if (distance(x) < 1) inside.push_back(x);
@@ -103,8 +100,7 @@ class Blob final : public Scene {
     return gas;
   }
 
-  std::vector<std::pair<std::string, double>> measures(const Settings& settings,
-                                                       const Snapshot& snapshot) const override {
+  Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const CloudGas cloud{.least_density = 0.64 * rho_cloud, .highest_energy = 0.9 * energy(settings, 1)};
     return {{"cloud_mass", cloud_mass(snapshot, cloud)}, {"cloud_velocity", cloud_velocity(snapshot)}};
   }
@@ -119,15 +115,12 @@ class Blob final : public Scene {
     return {.abscissa = "x", .from = 0, .to = box_size[0], .map = true};
   }
   GalleryTile gallery() const override {
-    return {.keys = {{"scene.n", "32"}, {"time.end", fmt::format("{:.4g}", growth_time())}}};
+    return {.keys = {"scene.n=32", fmt::format("time.end={:.4g}", growth_time())}};
   }
 };
 
 }  // namespace
 
-const Scene& blob_scene() {
-  static const Blob scene;
-  return scene;
-}
+const Scene& blob_scene = Blob();
 
 }  // namespace sphk

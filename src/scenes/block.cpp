@@ -48,10 +48,6 @@ std::vector<Array3> random_points(const Block& block, std::uint64_t seed) {
 
 }  // namespace
 
-std::size_t Block::particles() const {
-  return std::size_t(counts[0]) * counts[1] * counts[2];
-}
-
 Counts even_counts(int dimension, int n) {
   return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1};
 }
@@ -59,6 +55,13 @@ Counts even_counts(int dimension, int n) {
 Block centred_cube(int dimension, int n, double half) {
   Block block{.dimension = dimension, .counts = even_counts(dimension, n)};
   for (int axis = 0; axis < dimension; ++axis) block.lower[axis] = -half, block.size[axis] = 2 * half;
+  return block;
+}
+
+Block bar(int dimension, int n, int across, double lower, double length) {
+  Block block{dimension, even_counts(dimension, across), {lower, 0, 0}, {length, 1, 1}};
+  block.counts[0] = static_cast<int>(std::lround(n * length));
+  for (int axis = 1; axis < dimension; ++axis) block.size[axis] = double(across) / n;
   return block;
 }
 
@@ -79,6 +82,21 @@ std::vector<Array3> lattice_points(const Block& block) {
 std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement, std::uint64_t seed) {
   if (arrangement == "random") return random_points(block, seed);
   return arrangement == "glass" && block.dimension > 1 ? glass_points(block) : lattice_points(block);
+}
+
+void add_block(ParticleSet& gas, const Block& block, const std::string& arrangement, double rho, std::uint64_t seed) {
+  const std::vector<Array3> points = arranged_points(block, arrangement, seed);
+  gas.x.insert(gas.x.end(), points.begin(), points.end());
+  gas.v.resize(gas.size());
+  gas.m.resize(gas.size(), rho * block.volume() / double(points.size()));
+}
+
+ParticleSet even_gas(const Block& block, const std::string& arrangement, std::uint64_t seed) {
+  ParticleSet gas;
+  gas.dimension = block.dimension;
+  gas.box = {block.lower, block.size, {true, block.dimension > 1, block.dimension > 2}};
+  add_block(gas, block, arrangement, 1, seed);
+  return gas;
 }
 
 }  // namespace sphk

@@ -18,7 +18,7 @@ struct Block {
   Array3 lower{0, 0, 0};
   Array3 size{1, 1, 1};
 
-  std::size_t particles() const;
+  std::size_t particles() const { return std::size_t(counts[0]) * counts[1] * counts[2]; }
   double volume() const { return size[0] * size[1] * size[2]; }
 };
 
@@ -27,6 +27,9 @@ Counts even_counts(int dimension, int n);
 
 /// n particles a side of the box from -half to half along every axis.
 Block centred_cube(int dimension, int n, double half);
+
+/// n particles a unit of length along x, from `lower` on, and `across` of the same spacing along the other axes.
+Block bar(int dimension, int n, int across, double lower, double length);
 
 /// x modulo size, in [0, size).
 double wrapped(double x, double size);
@@ -39,5 +42,12 @@ std::vector<Array3> lattice_points(const Block& block);
 /// random: points anywhere in the block, with equal chance and each for itself. Throws InputError where the counts
 /// have no common tile of a glass.
 std::vector<Array3> arranged_points(const Block& block, const std::string& arrangement, std::uint64_t seed = 1);
+
+/// Adds such a block of gas at rest, of equal masses and density rho; u is left to the caller.
+void add_block(ParticleSet& gas, const Block& block, const std::string& arrangement, double rho = 1,
+               std::uint64_t seed = 1);
+
+/// That of density 1 alone, in a box that it fills and that is periodic.
+ParticleSet even_gas(const Block& block, const std::string& arrangement, std::uint64_t seed = 1);
 
 }  // namespace sphk

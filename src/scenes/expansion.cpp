@@ -61,7 +61,7 @@ class Expansion final : public Scene {
     return gas;
   }
 
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     const double gamma = settings.real("sph.gamma");
     if (is_slab(settings)) return [=](const Array3& x, double t) { return slab(x, t, gamma); };
     const HomologousExpansion expansion(scene_dimension(settings), gamma);
@@ -72,13 +72,12 @@ class Expansion final : public Scene {
   }
 
   /// Inside 0.8 of the ball's radius; of the slab inside |x| < 1, where it has at least 8 % of its density at t = 0.4.
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     const double to = reach(settings, snapshot.time);
     return profile_errors(snapshot, is_slab(settings) ? along_x(-to, to) : along_r(to), exact(settings));
   }
   /// There: rms of the relative error of the particles' densities.
-  std::vector<std::pair<std::string, double>> measures(const Settings& settings,
-                                                       const Snapshot& snapshot) const override {
+  Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const auto solution = exact(settings);
     const double to = reach(settings, snapshot.time);
     const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
@@ -107,14 +106,8 @@ class Expansion final : public Scene {
   static ParticleSet even_slab(const Settings& settings) {
     const int D = scene_dimension(settings), n = scene_n(settings);
     const int across = static_cast<int>(settings.integer("scene.across"));
-    Block block{.dimension = D, .counts = even_counts(D, across), .lower = {-0.5, 0, 0}};
-    block.counts[0] = n;
-    for (int axis = 1; axis < D; ++axis) block.size[axis] = double(across) / n;
-    ParticleSet gas;
-    gas.dimension = D;
-    gas.box = {block.lower, block.size, {false, D > 1, D > 2}};
-    gas.x = arranged_points(block, settings.text("scene.lattice"));
-    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
+    ParticleSet gas = even_gas(bar(D, n, across, -0.5, 1), settings.text("scene.lattice"));
+    gas.box.periodic[0] = false;
     return gas;
   }
 
@@ -141,9 +134,6 @@ class Expansion final : public Scene {
 
 }  // namespace
 
-const Scene& expansion_scene() {
-  static const Expansion scene;
-  return scene;
-}
+const Scene& expansion_scene = Expansion();
 
 }  // namespace sphk

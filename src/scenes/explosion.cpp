@@ -101,18 +101,13 @@ ParticleSet Explosion::build(const Settings& settings) const {
   ParticleSet gas;
   gas.dimension = scene_dimension(settings);
   for (int axis = 0; axis < gas.dimension; ++axis) gas.box.lower[axis] = -0.5, gas.box.periodic[axis] = true;
-  for (const Block& block : blocks_of(settings)) {
-    const std::vector<Array3> points = arranged_points(block, settings.text("scene.lattice"));
-    gas.x.insert(gas.x.end(), points.begin(), points.end());
-    gas.m.resize(gas.size(), density * block.size[0] / static_cast<double>(points.size()));
-  }
-  gas.v.assign(gas.size(), {});
+  for (const Block& block : blocks_of(settings)) add_block(gas, block, settings.text("scene.lattice"), density);
   gas.u.assign(gas.size(), GasState{.rho = density, .P = ambient_pressure(settings)}.u(settings.real("sph.gamma")));
   explode(gas, settings);
   return gas;
 }
 
-std::function<GasState(const Array3&, double)> Explosion::exact(const Settings& settings) const {
+ExactSolution Explosion::exact(const Settings& settings) const {
   const double E = settings.real("scene.energy"), P = ambient_pressure(settings), begin = start(settings);
   const auto solution = std::make_shared<SedovSolution>(scene_dimension(settings), settings.real("sph.gamma"));
   return [=](const Array3& x, double time) -> GasState {
@@ -125,12 +120,11 @@ std::function<GasState(const Array3&, double)> Explosion::exact(const Settings& 
   };
 }
 
-std::map<std::string, ErrorNorm> Explosion::errors(const Settings& settings, const Snapshot& snapshot) const {
+Errors Explosion::errors(const Settings& settings, const Snapshot& snapshot) const {
   return profile_errors(snapshot, along_r(0.5), exact(settings));
 }
 
-std::vector<std::pair<std::string, double>> Explosion::measures(const Settings& settings,
-                                                                const Snapshot& snapshot) const {
+Measures Explosion::measures(const Settings& settings, const Snapshot& snapshot) const {
   const SedovSolution solution(scene_dimension(settings), settings.real("sph.gamma"));
   const double t = snapshot.time - start(settings);
   const double exact = t > 0 ? solution.shock_radius(settings.real("scene.energy"), density, t) : 0;

@@ -12,12 +12,12 @@ class Explosion : public Scene {
   void declare(Settings& settings) const override;
   ParticleSet build(const Settings& settings) const override;
   /// Sedov's self-similar solution.
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override;
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override;
+  ExactSolution exact(const Settings& settings) const override;
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override;
   /// peak_density: (gamma+1)/(gamma-1) when resolved, 4 for gamma 5/3. blast_radius: where the shock of a blast with
   /// the same mean radius of the kinetic energy stands; blast_radius_exact: where it should.
   /// roundness: spread of the mean radius between the directions along the axes, relative; 0 is round.
-  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override;
+  Measures measures(const Settings&, const Snapshot& snapshot) const override;
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.5}; }
 
  protected:

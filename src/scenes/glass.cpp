@@ -1,16 +1,55 @@
 #include "src/scenes/glass.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <limits>
 
+#include "src/engine/checksum.hpp"
 #include "src/engine/errors.hpp"
-#include "src/scenes/glass_file.hpp"
-#include "src/scenes/glass_relaxation.hpp"
 #include "src/scenes/random.hpp"
+#include "src/scenes/scene.hpp"
+#include "src/schemes/registry.hpp"
 
 namespace sphk {
+
+namespace {
+
+/// What a file begins with; the positions follow, three doubles each.
+struct Header {
+  char magic[8] = {'s', 'p', 'h', 'k', 'g', 'l', 's', '2'};
+  std::int64_t dimension = 0, counts[3] = {};
+  std::uint64_t checksum = 0;  ///< of the positions
+};
+
+Header header_of(int dimension, const Counts& counts, const std::vector<Array3>& points) {
+  Header header;
+  header.dimension = dimension;
+  for (int axis = 0; axis < 3; ++axis) header.counts[axis] = counts[axis];
+  Checksum sum;
+  sum.add(points.data(), points.size() * sizeof(Array3));
+  header.checksum = sum.value();
+  return header;
+}
+
+/// Root mean square of density / mean density - 1.
+double scatter(const std::vector<double>& density) {
+  double sum = 0, squares = 0;
+  for (const double rho : density) sum += rho, squares += rho * rho;
+  const double mean = sum / double(density.size());
+  return std::sqrt(std::max(squares / double(density.size()) / (mean * mean) - 1, 0.0));
+}
+
+/// An isothermal gas: P ~ rho alike for all particles, although their entropies follow from the start's uneven density.
+constexpr double nearly_one = 1 + 1e-6;
+
+}  // namespace
 
 std::filesystem::path glass_cache() {
   const auto folder = [](const char* variable) -> std::filesystem::path {
@@ -61,6 +100,65 @@ Counts glass_tile(const Counts& counts, int dimension) {
                       counts[0], counts[1], counts[2], least, most, counts[axis]));
   }
   return tile;
+}
+
+std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::vector<Array3> start) {
+  ParticleSet gas;
+  gas.dimension = dimension;
+  for (int axis = 0; axis < dimension; ++axis) gas.box.size[axis] = size[axis], gas.box.periodic[axis] = true;
+  gas.v.assign(start.size(), {});
+  gas.m.assign(start.size(), 1);
+  gas.u.assign(start.size(), 1 / (nearly_one - 1));
+  gas.x = std::move(start);
+
+  SimulationSettings settings;
+  settings.scheme = "glass";
+  settings.gamma = nearly_one;
+  const auto simulation = make_simulation(gas, settings);
+
+  constexpr int most_steps = 1000, steps_between_looks = 20;
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 1; step <= most_steps; ++step) {
+    simulation->step(std::numeric_limits<double>::max());
+    if (step % steps_between_looks != 0) continue;
+    const double now = scatter(simulation->snapshot().field("Densities").values);
+    if (now > 0.98 * before) break;
+    before = now;
+  }
+  return rows(simulation->snapshot().field("Coordinates"));
+}
+
+std::string glass_file_name(int dimension, const Counts& counts) {
+  std::string name = fmt::format("glass-{}d-{}", dimension, counts[0]);
+  for (int axis = 1; axis < dimension; ++axis) name += fmt::format("x{}", counts[axis]);
+  return name + "-v1.bin";
+}
+
+std::optional<std::vector<Array3>> read_glass(const std::filesystem::path& file, int dimension, const Counts& counts) {
+  std::ifstream in(file, std::ios::binary);
+  Header header;
+  std::vector<Array3> points(Block{.dimension = dimension, .counts = counts}.particles());
+  in.read(reinterpret_cast<char*>(&header), sizeof(header));
+  in.read(reinterpret_cast<char*>(points.data()), static_cast<std::streamsize>(points.size() * sizeof(Array3)));
+  const Header wanted = header_of(dimension, counts, points);
+  if (!in || in.peek() != EOF || std::memcmp(&header, &wanted, sizeof(header)) != 0) return std::nullopt;
+  return points;
+}
+
+void write_glass(const std::filesystem::path& file, int dimension, const Counts& counts,
+                 const std::vector<Array3>& points) {
+  std::error_code failed;
+  std::filesystem::create_directories(file.parent_path(), failed);
+  const std::filesystem::path partial = file.string() + fmt::format(".{}", getpid());
+  const Header header = header_of(dimension, counts, points);
+  std::ofstream out(partial, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(&header), sizeof(header));
+  out.write(reinterpret_cast<const char*>(points.data()), static_cast<std::streamsize>(points.size() * sizeof(Array3)));
+  out.close();
+  if (out)
+    std::filesystem::rename(partial, file, failed);
+  else
+    std::filesystem::remove(partial, failed);
 }
 
 }  // namespace sphk

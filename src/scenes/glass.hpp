@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "src/scenes/block.hpp"
@@ -30,5 +32,20 @@ std::vector<Array3> glass_start(int dimension, const Counts& counts);
 /// The glass whose copies fill a block: along every axis the largest divisor of the count up to 32 (3D) or 64 (2D).
 /// Throws InputError where that is below 8 although the count is not.
 Counts glass_tile(const Counts& counts, int dimension);
+
+/// Relaxes particles of equal mass in the periodic box [0, size) by the scheme "glass", motion of an isothermal gas
+/// with friction, until the scatter of the density stops falling: below half a per cent, after some 150 steps.
+std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::vector<Array3> start);
+
+/// glass-<D>d-<counts>-v1.bin, such as glass-3d-32x32x32-v1.bin. The version changes with the way glasses are made.
+std::string glass_file_name(int dimension, const Counts& counts);
+
+/// The positions in a cached glass; nothing where the file is absent, of another shape, cut short or damaged.
+std::optional<std::vector<Array3>> read_glass(const std::filesystem::path& file, int dimension, const Counts& counts);
+
+/// Writes under a temporary name and renames, so that a reader never sees half a file. A folder that cannot be written
+/// to costs the next run a relaxation, nothing else, so failures are ignored.
+void write_glass(const std::filesystem::path& file, int dimension, const Counts& counts,
+                 const std::vector<Array3>& points);
 
 }  // namespace sphk

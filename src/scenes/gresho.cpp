@@ -61,24 +61,19 @@ class Gresho : public Scene {
   }
 
   ParticleSet build(const Settings& settings) const override {
-    const Block block = block_of(settings);
-    const double gamma = settings.real("sph.gamma");
     const auto start = exact(settings);
-    ParticleSet gas;
-    gas.dimension = block.dimension;
-    gas.box = {block.lower, block.size, {true, true, block.dimension == 3}};
-    gas.x = arranged_points(block, settings.text("scene.lattice"));
-    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
+    ParticleSet gas = even_gas(block_of(settings), settings.text("scene.lattice"));
+    gas.v.clear();
     for (const Array3& x : gas.x) {
       const GasState state = start(x, 0);
       gas.v.push_back(state.v);
-      gas.u.push_back(state.u(gamma));
+      gas.u.push_back(state.u(settings.real("sph.gamma")));
     }
     return gas;
   }
 
   /// The vortex moves with the boost through the periodic box.
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     return [boost = settings.real("scene.boost")](const Array3& x, double t) {
       GasState state = vortex(unmoved(x, boost, t));
       for (int axis = 0; axis < 2; ++axis) state.v[axis] += boost;
@@ -86,7 +81,7 @@ class Gresho : public Scene {
     };
   }
   /// In the frame of the vortex.
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     Snapshot resting = snapshot;
     const double boost = settings.real("scene.boost");
     const auto values = [&](const char* name) -> std::vector<double>& {
@@ -105,21 +100,14 @@ class Gresho : public Scene {
     return {.abscissa = "R", .from = 0, .to = 0.5, .velocity = {boost, boost, 0}};
   }
   GalleryTile gallery() const override {
-    return {.keys = {{"scene.n", "32"},
-                     {"scene.lattice", "glass"},
-                     {"sph.scheme", "sphs-morris"},
-                     {"sph.kernel", "hoct4"},
-                     {"sph.neighbours", "442"},
-                     {"time.courant", "0.4"}},
+    return {.keys = {"scene.n=32", "scene.lattice=glass", "sph.scheme=sphs-morris", "sph.kernel=hoct4",
+                     "sph.neighbours=442", "time.courant=0.4"},
             .field = "v"};
   }
 };
 
 }  // namespace
 
-const Scene& gresho_scene() {
-  static const Gresho scene;
-  return scene;
-}
+const Scene& gresho_scene = Gresho();
 
 }  // namespace sphk

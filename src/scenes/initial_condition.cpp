@@ -1,12 +1,18 @@
 #include "src/scenes/initial_condition.hpp"
 
 #include "src/scenes/keys.hpp"
-#include "src/scenes/temperatures.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
 
 namespace {
+
+/// u = P / ((gamma - 1) rho) with the density that the run's own smoothing kernel measures.
+void set_pressure(ParticleSet& gas, double P, const Settings& settings) {
+  const SimulationSettings simulation = simulation_settings(settings);
+  const std::vector<double> rho = make_simulation(gas, simulation)->snapshot().field("Densities").values;
+  for (std::size_t i = 0; i < gas.size(); ++i) gas.u[i] = P / ((simulation.gamma - 1) * rho[i]);
+}
 
 void relax(ParticleSet& gas, double time, const Settings& settings) {
   SimulationSettings simulation = under_scheme(simulation_settings(settings), "relaxation");
@@ -25,6 +31,10 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
 }
 
 }  // namespace
+
+void smooth_temperatures(ParticleSet& gas, double P, const Settings& settings) {
+  if (settings.text("scene.temperatures") == "smoothed") set_pressure(gas, P, settings);
+}
 
 void declare_initial_condition_keys(Settings& settings) {
   declare_real(settings, "ic.pressure", 0.0,

@@ -43,16 +43,56 @@ class KelvinHelmholtz final : public ShearLayers {
   }
   std::string keys_with_references() const override { return ratio_ == 2 ? "scene.edges=soft" : ""; }
   GalleryTile gallery() const override {
-    GalleryTile tile{.keys = {{"scene.n", "64"}, {"scene.dimension", "2"}, {"scene.edges", "soft"}}};
-    if (ratio_ == 8) tile.keys.emplace_back("scene.masses", "multi");
-    tile.keys.emplace_back("time.end", fmt::format("{:.6g}", growth_time()));
+    GalleryTile tile{.keys = {"scene.n=64", "scene.dimension=2", "scene.edges=soft"}};
+    if (ratio_ == 8) tile.keys.emplace_back("scene.masses=multi");
+    tile.keys.push_back(fmt::format("time.end={:.6g}", growth_time()));
     return tile;
   }
 
  protected:
   Defaults defaults() const override { return {.end = 2 * growth_time(), .snapshots = 8}; }
-  LayeredFlow flow(const Settings& settings) const override;
-  std::vector<Block> equal_mass_blocks(const Block& even) const override;
+  LayeredFlow flow(const Settings& settings) const override {
+    const bool soft = settings.text("scene.edges") == "soft";
+    const auto dense_share = [soft](double y) {  // 1 in the dense gas, 0 in the light one
+      const double inwards = 0.25 - std::abs(y);
+      return soft ? (1 + std::tanh(inwards / edge)) / 2 : inwards > 0 ? 1.0 : 0.0;
+    };
+    const double excess = ratio_ - 1;
+    return {.lower = -0.5,
+            .pressure = pressure,
+            .rho_light = 1,
+            .rho_dense = double(ratio_),
+            .interfaces = {-0.25, 0.25},
+            .wavelength = wavelength,
+            .rho = [=](double y) { return 1 + excess * dense_share(y); },
+            .v_x = [=](double y) { return light_speed * (2 * dense_share(y) - 1); },
+            .v_y = [](double x, double y) {  // R10 eq 58, with delta v_y / v = 1/8
+              constexpr double k = 2 * std::numbers::pi / wavelength;
+              const auto near = [y](double interface) { return std::exp(-std::pow(10 * (y - interface), 2)); };
+              return shear / 8 * (std::sin(k * (x + wavelength / 2)) * near(0.25) - std::sin(k * x) * near(-0.25));
+            }};
+  }
+
+  /// The dense gas on a lattice of its own, as near to cubic as its mass allows. R10 refines by 5/4 for 1:2.
+  std::vector<Block> equal_mass_blocks(const Block& even) const override {
+    const auto [n, rows, layers] = even.counts;
+    if (n % 4 != 0) throw InputError(fmt::format("scene.n = {}: the layers need a multiple of 4", n));
+    const double finer = even.dimension == 3 && ratio_ == 2 ? 1.25 : std::pow(ratio_, 1.0 / even.dimension);
+    Block light = even, dense = even;
+    light.counts[1] = rows / 4;
+    dense.counts[0] = static_cast<int>(std::lround(n * finer));
+    if (even.dimension == 3) dense.counts[2] = static_cast<int>(std::lround(layers * finer));
+    const double columns = double(dense.counts[0]) * dense.counts[2];
+    dense.counts[1] = static_cast<int>(std::lround(ratio_ * double(even.particles()) / 2 / columns));
+    const double total = 2.0 * double(light.particles()) + double(dense.particles());
+    light.size[1] = double(light.particles()) / total;
+    dense.size[1] = double(dense.particles()) / total;
+    light.lower[1] = 0;
+    dense.lower[1] = light.size[1];
+    Block upper = light;
+    upper.lower[1] = light.size[1] + dense.size[1];
+    return {light, dense, upper};
+  }
 
  private:
   /// v_1 - v_2: the dense gas has the Mach number 0.11 sqrt(ratio), hence the light gas's speed.
@@ -63,59 +103,9 @@ class KelvinHelmholtz final : public ShearLayers {
   int ratio_;
 };
 
-LayeredFlow KelvinHelmholtz::flow(const Settings& settings) const {
-  const bool soft = settings.text("scene.edges") == "soft";
-  const auto dense_share = [soft](double y) {  // 1 in the dense gas, 0 in the light one
-    const double inwards = 0.25 - std::abs(y);
-    return soft ? (1 + std::tanh(inwards / edge)) / 2 : inwards > 0 ? 1.0 : 0.0;
-  };
-  const double excess = ratio_ - 1;
-  return {.lower = -0.5,
-          .pressure = pressure,
-          .rho_light = 1,
-          .rho_dense = double(ratio_),
-          .interfaces = {-0.25, 0.25},
-          .wavelength = wavelength,
-          .rho = [=](double y) { return 1 + excess * dense_share(y); },
-          .v_x = [=](double y) { return light_speed * (2 * dense_share(y) - 1); },
-          .v_y = [](double x, double y) {  // R10 eq 58, with delta v_y / v = 1/8
-            constexpr double k = 2 * std::numbers::pi / wavelength;
-            const auto near = [y](double interface) { return std::exp(-std::pow(10 * (y - interface), 2)); };
-            return shear / 8 * (std::sin(k * (x + wavelength / 2)) * near(0.25) - std::sin(k * x) * near(-0.25));
-          }};
-}
-
-/// The dense gas on a lattice of its own, as near to cubic as its mass allows. R10 refines by 5/4 for 1:2.
-std::vector<Block> KelvinHelmholtz::equal_mass_blocks(const Block& even) const {
-  const auto [n, rows, layers] = even.counts;
-  if (n % 4 != 0) throw InputError(fmt::format("scene.n = {}: the layers need a multiple of 4", n));
-  const double finer = even.dimension == 3 && ratio_ == 2 ? 1.25 : std::pow(ratio_, 1.0 / even.dimension);
-  Block light = even, dense = even;
-  light.counts[1] = rows / 4;
-  dense.counts[0] = static_cast<int>(std::lround(n * finer));
-  if (even.dimension == 3) dense.counts[2] = static_cast<int>(std::lround(layers * finer));
-  const double columns = double(dense.counts[0]) * dense.counts[2];
-  dense.counts[1] = static_cast<int>(std::lround(ratio_ * double(even.particles()) / 2 / columns));
-  const double total = 2.0 * double(light.particles()) + double(dense.particles());
-  light.size[1] = double(light.particles()) / total;
-  dense.size[1] = double(dense.particles()) / total;
-  light.lower[1] = 0;
-  dense.lower[1] = light.size[1];
-  Block upper = light;
-  upper.lower[1] = light.size[1] + dense.size[1];
-  return {light, dense, upper};
-}
-
 }  // namespace
 
-const Scene& kh12_scene() {
-  static const KelvinHelmholtz scene(2);
-  return scene;
-}
-
-const Scene& kh18_scene() {
-  static const KelvinHelmholtz scene(8);
-  return scene;
-}
+const Scene& kh12_scene = KelvinHelmholtz(2);
+const Scene& kh18_scene = KelvinHelmholtz(8);
 
 }  // namespace sphk

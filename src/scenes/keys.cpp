@@ -45,6 +45,12 @@ bool has_equal_masses(const Settings& settings) {
   return settings.text("scene.masses") == "equal";
 }
 
+void declare_temperatures(Settings& settings) {
+  declare_choice(settings, "scene.temperatures", "exact",
+                 "exact: u of the true density; smoothed: of the measured one, which evens out P at the edges",
+                 {"exact", "smoothed"});
+}
+
 void prefer_usual_gas(Settings& settings, double end) {
   prefer_unless_set(settings, "time.end", end);
   prefer_unless_set(settings, "sph.gamma", 5.0 / 3);

@@ -32,6 +32,8 @@ void declare_dimension(Settings& settings, int standard, int min = 1);
 /// scene.masses: equal (the dense gas has more particles) | multi (even spacing, heavier particles).
 void declare_masses(Settings& settings, const std::string& standard);
 bool has_equal_masses(const Settings& settings);
+/// scene.temperatures: exact | smoothed (initial_condition.hpp).
+void declare_temperatures(Settings& settings);
 /// gamma = 5/3 and this end time, where the user set neither.
 void prefer_usual_gas(Settings& settings, double end);
 

@@ -4,11 +4,7 @@
 
 namespace sphk {
 
-namespace {
-constexpr int cells = 16384;
-}
-
-MassProfile::MassProfile(const std::function<double(double y)>& rho, double lower, double size)
+MassProfile::MassProfile(const std::function<double(double y)>& rho, double lower, double size, int cells)
     : lower_(lower), step_(size / cells), below_(cells + 1) {
   for (int k = 0; k < cells; ++k) below_[k + 1] = below_[k] + rho(lower + (k + 0.5) * step_) * step_;
 }

@@ -9,8 +9,8 @@ namespace sphk {
 /// at equal steps of mass follow the density.
 class MassProfile {
  public:
-  /// On [lower, lower + size]. Jumps of rho at multiples of size/16384 cost no accuracy.
-  MassProfile(const std::function<double(double y)>& rho, double lower, double size);
+  /// On [lower, lower + size], by the midpoint rule. Jumps of rho at multiples of size/cells cost no accuracy.
+  MassProfile(const std::function<double(double y)>& rho, double lower, double size, int cells = 16384);
 
   /// Integral of rho over the interval.
   double mass() const { return below_.back(); }

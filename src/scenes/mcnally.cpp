@@ -33,7 +33,7 @@ class McNally final : public ShearLayers {
       references.push_back({"M", t, M, M});
     return references;
   }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "96"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=96"}}; }
 
  protected:
   Defaults defaults() const override { return {.n = 128, .dimension = 2, .end = 2, .snapshots = 20}; }
@@ -52,9 +52,6 @@ class McNally final : public ShearLayers {
 
 }  // namespace
 
-const Scene& mcnally_scene() {
-  static const McNally scene;
-  return scene;
-}
+const Scene& mcnally_scene = McNally();
 
 }  // namespace sphk

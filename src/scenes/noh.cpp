@@ -76,7 +76,7 @@ double wall_heating(const Snapshot& snapshot, double R) {
 /// Mean errors of density and radial velocity on 0.05 <= r <= 0.35, each particle of the line x > 0 with the length
 /// that is nearest to it: the norm of the planar test of Spheral (Noh-planar-1d.py), which leaves the heated gas at the
 /// wall out.
-std::vector<std::pair<std::string, double>> errors_on_the_line(const Snapshot& snapshot, double R, double gamma) {
+Measures errors_on_the_line(const Snapshot& snapshot, double R, double gamma) {
   const auto &x = snapshot.field("Coordinates").values, &v = snapshot.field("Velocities").values;
   const auto& rho = snapshot.field("Densities").values;
   std::vector<std::size_t> order;
@@ -125,35 +125,30 @@ class Noh : public Scene {
     return gas;
   }
 
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     const int D = scene_dimension(settings);
     const double gamma = settings.real("sph.gamma"), P = settings.real("scene.cold_pressure");
     return [=](const Array3& x, double t) { return noh(x, t, D, gamma, P); };
   }
   /// Inside 3/4 of the radius that the edge has fallen to: the outermost particles miss neighbours on one side.
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_r(0.75 * (1 - snapshot.time)), exact(settings));
   }
   /// How uneven the gas behind the shock is, and how much too hot at the centre; at the start -1, as nothing is hot
   /// yet. In 1D also the errors as Spheral takes them.
-  std::vector<std::pair<std::string, double>> measures(const Settings& settings,
-                                                       const Snapshot& snapshot) const override {
+  Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const double R = shock_radius(snapshot.time, settings.real("sph.gamma"));
-    std::vector<std::pair<std::string, double>> found{{"scatter", R > 0 ? scatter(snapshot, R) : 0},
-                                                      {"wall_heating", wall_heating(snapshot, R)}};
+    Measures found{{"scatter", R > 0 ? scatter(snapshot, R) : 0}, {"wall_heating", wall_heating(snapshot, R)}};
     if (scene_dimension(settings) == 1)
       for (auto& error : errors_on_the_line(snapshot, R, settings.real("sph.gamma"))) found.push_back(std::move(error));
     return found;
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "r", .from = 0, .to = 0.4}; }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "100"}, {"scene.dimension", "2"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=100", "scene.dimension=2"}}; }
 };
 
 }  // namespace
 
-const Scene& noh_scene() {
-  static const Noh scene;
-  return scene;
-}
+const Scene& noh_scene = Noh();
 
 }  // namespace sphk

@@ -70,8 +70,7 @@ ProfileLine along_R(double to) {
   return {R, around, 0, to};
 }
 
-std::map<std::string, ErrorNorm> profile_errors(const Snapshot& snapshot, const ProfileLine& line,
-                                                const std::function<GasState(const Array3&, double)>& exact) {
+Errors profile_errors(const Snapshot& snapshot, const ProfileLine& line, const ExactSolution& exact) {
   const std::vector<Array3> places = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
   const auto &rho = snapshot.field("Densities").values, &P = snapshot.field("Pressures").values;
   std::vector<Bin> bins(static_cast<std::size_t>(std::max(std::lround((line.to - line.from) / line.width), 0L)));
@@ -95,7 +94,7 @@ std::map<std::string, ErrorNorm> profile_errors(const Snapshot& snapshot, const 
     const Triple wanted = compared(exact(centre, snapshot.time), line.direction(centre));
     for (int k = 0; k < 3; ++k) binned[k].add(bins[b].sum[k] / bins[b].particles - wanted[k], centre);
   }
-  std::map<std::string, ErrorNorm> errors;
+  Errors errors;
   for (int k = 0; k < 3; ++k) {
     if (single[k].samples == 0) continue;
     errors[names[k]] = binned[k].result();

@@ -33,7 +33,6 @@ ProfileLine along_R(double to);
 /// Errors of v, rho and P by field name. The plain names compare the mean over the particles of every bin with the
 /// exact value at the bin's centre (S12 eq 44); bins without a particle are left out. "v_particles" and so on compare
 /// every particle with the exact value at its place. Empty when no particle lies in the range.
-std::map<std::string, ErrorNorm> profile_errors(const Snapshot& snapshot, const ProfileLine& line,
-                                                const std::function<GasState(const Array3&, double)>& exact);
+Errors profile_errors(const Snapshot& snapshot, const ProfileLine& line, const ExactSolution& exact);
 
 }  // namespace sphk

@@ -55,7 +55,7 @@ class Odd final : public Scene {
   }
 
   PlotHint plot_hint(const Settings&) const override { return {.map = true}; }
-  GalleryTile gallery() const override { return {.keys = {{"scene.problem", "ten"}, {"scene.n", "16"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.problem=ten", "scene.n=16"}}; }
 
  private:
   static std::vector<Array3> places(const std::string& problem, int n) {
@@ -77,9 +77,6 @@ class Odd final : public Scene {
 
 }  // namespace
 
-const Scene& odd_scene() {
-  static const Odd scene;
-  return scene;
-}
+const Scene& odd_scene = Odd();
 
 }  // namespace sphk

@@ -48,7 +48,7 @@ class PointExplosion final : public Explosion {
     for (const std::size_t i : hot) events.push_back({start(settings), gas.x[i], gas.m[i] * u});
     return events;
   }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "24"}}, .field = ""}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=24"}, .field = ""}; }
 
  protected:
   double start(const Settings& settings) const override { return settings.real("scene.delay"); }
@@ -70,18 +70,16 @@ class PointExplosion final : public Explosion {
   }
 
  private:
-  static std::vector<std::size_t> hottest(const ParticleSet& gas, const Settings& settings) {
-    return nearest(gas, static_cast<std::size_t>(settings.integer("scene.hot")));
-  }
   /// Specific energy that each of these particles takes.
   static double energy_of_each(const ParticleSet& gas, const std::vector<std::size_t>& hot, const Settings& settings) {
     double mass = 0;
     for (const std::size_t i : hot) mass += gas.m[i];
     return settings.real("scene.energy") / mass;
   }
-  /// `count` particles around the centre, in whole shells of equal distance, so that the blast has the symmetry of the
-  /// lattice. A shell that is too large is passed over: 15 in 3D are 1 + 6 + 8, without the 12 between.
-  static std::vector<std::size_t> nearest(const ParticleSet& gas, std::size_t count) {
+  /// scene.hot particles around the centre, in whole shells of equal distance, so that the blast has the symmetry of
+  /// the lattice. A shell that is too large is passed over: 15 in 3D are 1 + 6 + 8, without the 12 between.
+  static std::vector<std::size_t> hottest(const ParticleSet& gas, const Settings& settings) {
+    const auto count = static_cast<std::size_t>(settings.integer("scene.hot"));
     std::vector<std::size_t> order(gas.size()), chosen;
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto distance = [&](std::size_t i) { return radius(gas.x[i]); };
@@ -105,9 +103,6 @@ class PointExplosion final : public Explosion {
 
 }  // namespace
 
-const Scene& point_explosion_scene() {
-  static const PointExplosion scene;
-  return scene;
-}
+const Scene& point_explosion_scene = PointExplosion();
 
 }  // namespace sphk

@@ -87,17 +87,5 @@ TubeState RiemannSolution::behind(const Side& side, double xi) const {
 TubeState RiemannSolution::at(double xi) const {
   return behind(xi < v_star_ ? left_ : right_, xi);
 }
-double RiemannSolution::rho_star_left() const {
-  return rho_star(left_);
-}
-double RiemannSolution::rho_star_right() const {
-  return rho_star(right_);
-}
-double RiemannSolution::left_front() const {
-  return front(left_);
-}
-double RiemannSolution::right_front() const {
-  return front(right_);
-}
 
 }  // namespace sphk

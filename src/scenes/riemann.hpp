@@ -20,11 +20,11 @@ class RiemannSolution {
   /// Pressure and velocity between the waves, and the densities left and right of the contact.
   double P_star() const { return P_star_; }
   double v_star() const { return v_star_; }
-  double rho_star_left() const;
-  double rho_star_right() const;
+  double rho_star_left() const { return rho_star(left_); }
+  double rho_star_right() const { return rho_star(right_); }
   /// Speeds x/t of the outer waves: a shock, or the head of a rarefaction.
-  double left_front() const;
-  double right_front() const;
+  double left_front() const { return front(left_); }
+  double right_front() const { return front(right_); }
 
  private:
   /// One side with the direction in which its wave runs: -1 left, +1 right.

@@ -90,7 +90,7 @@ class Ring final : public Scene {
   }
 
   /// A ring in balance stays as it is.
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     return [settings](const Array3& x, double) -> GasState {
       const double R = std::hypot(x[0], x[1]), rate = R > 0 ? speed(R, settings) / R : 0;
       return {
@@ -98,13 +98,13 @@ class Ring final : public Scene {
     };
   }
   /// Within two widths of the middle.
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     ProfileLine line = along_R(middle + 2 * width);
     line.from = middle - 2 * width;
     return profile_errors(snapshot, line, exact(settings));
   }
   /// The ring's mean radius and width over those of the start.
-  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
+  Measures measures(const Settings&, const Snapshot& snapshot) const override {
     const auto &x = snapshot.field("Coordinates").values, &m = snapshot.field("Masses").values;
     Spread spread;
     for (std::size_t i = 0; i < m.size(); ++i) spread.add(std::hypot(x[3 * i], x[3 * i + 1]), m[i]);
@@ -114,7 +114,7 @@ class Ring final : public Scene {
   PlotHint plot_hint(const Settings&) const override {
     return {.abscissa = "R", .from = inner, .to = outer, .map = true};
   }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "32"}, {"time.end", "12.566"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=32", "time.end=12.566"}}; }
 
  private:
   /// Specific energy, the same everywhere, for the speed of sound that scene.mach gives at radius 1.
@@ -133,9 +133,6 @@ class Ring final : public Scene {
 
 }  // namespace
 
-const Scene& ring_scene() {
-  static const Ring scene;
-  return scene;
-}
+const Scene& ring_scene = Ring();
 
 }  // namespace sphk

@@ -30,6 +30,13 @@ struct ErrorNorm {
   Array3 where{};
 };
 
+/// The gas at a place and time.
+using ExactSolution = std::function<GasState(const Array3& x, double t)>;
+/// By field name: "v", "rho", "P", "v_particles", ...
+using Errors = std::map<std::string, ErrorNorm>;
+/// Columns of history.csv by name.
+using Measures = std::vector<std::pair<std::string, double>>;
+
 /// What converged runs of other methods give for a measure at a time: a value between `low` and `high`.
 struct Reference {
   std::string measure;  ///< a name of Scene::measures
@@ -49,7 +56,7 @@ struct PlotHint {
 
 /// How `sphk gallery` shows a scene: by a run that takes a few seconds on a laptop.
 struct GalleryTile {
-  std::vector<std::pair<std::string, std::string>> keys{};  ///< what makes the run small
+  std::vector<std::string> keys{};  ///< what makes the run small, as for --set
   /// Drawn along the abscissa, beside the exact solution; "": a map of the density. By default rho, or a map where the
   /// plot hint asks for one.
   std::optional<std::string> field{};
@@ -80,12 +87,11 @@ class Scene {
   /// Heat that the gas takes in during the run, in the order of times.
   virtual std::vector<HeatEvent> heatings(const Settings&) const { return {}; }
   /// The exact solution, if there is one.
-  virtual std::function<GasState(const Array3& x, double t)> exact(const Settings&) const { return {}; }
-  /// The paper's norm and the per-particle L1, by field name ("v", "rho", "P", "v_particles", ...); empty: no
-  /// reference.
-  virtual std::map<std::string, ErrorNorm> errors(const Settings&, const Snapshot&) const { return {}; }
+  virtual ExactSolution exact(const Settings&) const { return {}; }
+  /// The paper's norm and the per-particle L1; empty: no reference.
+  virtual Errors errors(const Settings&, const Snapshot&) const { return {}; }
   /// The scene's own columns of history.csv.
-  virtual std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot&) const { return {}; }
+  virtual Measures measures(const Settings&, const Snapshot&) const { return {}; }
   /// What the measures should be; empty: unknown for these settings.
   virtual std::vector<Reference> references(const Settings&) const { return {}; }
   /// The keys, as for --set, with which there are some where there are none without; empty: none help.

@@ -19,7 +19,7 @@ int Scene::dimension(const Settings& settings) const {
 }
 
 const std::vector<const Scene*>& scenes() {
-#define SPHK_ADDRESS_OF_SCENE(name) &name##_scene(),
+#define SPHK_ADDRESS_OF_SCENE(name) &name##_scene,
   static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};
 #undef SPHK_ADDRESS_OF_SCENE
   return table;

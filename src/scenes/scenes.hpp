@@ -2,7 +2,7 @@
 
 #include "src/scenes/scene.hpp"
 
-/// Every scene, in the order of `sphk list`. NAME_scene() is defined in the scene's own file.
+/// Every scene, in the order of `sphk list`. NAME_scene is made in the scene's own file, before main begins.
 #define SPHK_SCENES(SCENE) \
   SCENE(sod)               \
   SCENE(sod_multimass)     \
@@ -24,7 +24,7 @@
 
 namespace sphk {
 
-#define SPHK_DECLARE_SCENE(name) const Scene& name##_scene();
+#define SPHK_DECLARE_SCENE(name) extern const Scene& name##_scene;
 SPHK_SCENES(SPHK_DECLARE_SCENE)
 #undef SPHK_DECLARE_SCENE
 

@@ -22,10 +22,7 @@ class Sedov final : public Explosion {
     declare_real(settings, "scene.ambient_entropy", 0.05, "A = P / rho^gamma of the gas at rest", {.min = 1e-300});
   }
   GalleryTile gallery() const override {
-    return {.keys = {{"scene.n", "48"},
-                     {"sph.scheme", "sphs-conservative"},
-                     {"sph.kernel", "hoct4"},
-                     {"sph.neighbours", "442"}}};
+    return {.keys = {"scene.n=48", "sph.scheme=sphs-conservative", "sph.kernel=hoct4", "sph.neighbours=442"}};
   }
 
  protected:
@@ -47,9 +44,6 @@ class Sedov final : public Explosion {
 
 }  // namespace
 
-const Scene& sedov_scene() {
-  static const Sedov scene;
-  return scene;
-}
+const Scene& sedov_scene = Sedov();
 
 }  // namespace sphk

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "src/scenes/initial_condition.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/scenes/mass_profile.hpp"
-#include "src/scenes/temperatures.hpp"
 
 namespace sphk {
 
@@ -72,8 +72,7 @@ void ShearLayers::set_velocities(ParticleSet& gas, const Settings& settings) con
   for (const auto& [x, y, z] : gas.x) gas.v.push_back({flow.v_x(y) + boost, flow.v_y(x, y), 0});
 }
 
-std::vector<std::pair<std::string, double>> ShearLayers::measures(const Settings& settings,
-                                                                  const Snapshot& snapshot) const {
+Measures ShearLayers::measures(const Settings& settings, const Snapshot& snapshot) const {
   const LayeredFlow flow = this->flow(settings);
   const double gamma = settings.real("sph.gamma");
   return layer_measures(snapshot, {.interfaces = flow.interfaces,

@@ -30,7 +30,7 @@ class ShearLayers : public Scene {
   /// Tagged by the layer at the start (mixing.hpp).
   ParticleSet build(const Settings& settings) const override;
   void set_velocities(ParticleSet& gas, const Settings& settings) const override;
-  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot&) const override;
+  Measures measures(const Settings&, const Snapshot&) const override;
   PlotHint plot_hint(const Settings&) const override;
 
  protected:

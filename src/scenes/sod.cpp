@@ -48,21 +48,11 @@ Tube tube_of(const Settings& settings) {
 
   Tube tube{.left = {1, 0, 1}, .right = {0.125, 0, 0.1}, .left_block = {}, .right_block = {}};
   if (v10) tube.right = {0.25, 0, 1.0 / 6};  // u = 1 with gamma 5/3
-  tube.left_block = {D, even_counts(D, across), {-1, 0, 0}, {1, 1, 1}};
-  tube.left_block.counts[0] = n;
-  for (int axis = 1; axis < D; ++axis) tube.left_block.size[axis] = double(across) / n;
+  tube.left_block = bar(D, n, across, -1, 1);
   tube.right_block = tube.left_block;
   tube.right_block.lower[0] = 0;
   if (equal) tube.right_block.counts = thin_counts(tube.left_block.counts, ratio, only_along);
   return tube;
-}
-
-void add_block(ParticleSet& gas, const Block& block, const TubeState& state, const Settings& settings) {
-  const auto points = arranged_points(block, settings.text("scene.lattice"));
-  gas.x.insert(gas.x.end(), points.begin(), points.end());
-  gas.v.resize(gas.x.size(), {state.v, 0, 0});
-  gas.m.resize(gas.x.size(), state.rho * block.volume() / double(points.size()));
-  gas.u.resize(gas.x.size(), GasState{.rho = state.rho, .P = state.P}.u(settings.real("sph.gamma")));
 }
 
 /// S12 sec 7.2: the test starts with a shock, so alpha = 1 around the jump, and around its mirror image at the ends.
@@ -109,20 +99,18 @@ class Sod : public Scene {
 
   ParticleSet build(const Settings& settings) const override {
     const Tube tube = tube_of(settings);
-    ParticleSet gas;
-    gas.dimension = tube.left_block.dimension;
-    gas.box.lower[0] = -1;
-    gas.box.size = tube.left_block.size;
+    const auto start = exact(settings);
+    const std::string& lattice = settings.text("scene.lattice");
+    ParticleSet gas = even_gas(tube.left_block, lattice);
     gas.box.size[0] = 2;
-    for (int axis = 0; axis < gas.dimension; ++axis) gas.box.periodic[axis] = true;
-    add_block(gas, tube.left_block, tube.left, settings);
-    add_block(gas, tube.right_block, tube.right, settings);
+    add_block(gas, tube.right_block, lattice, tube.right.rho);
+    for (const Array3& x : gas.x) gas.u.push_back(start(x, 0).u(settings.real("sph.gamma")));
     switch_on_at_the_jumps(gas);
     return gas;
   }
 
   /// Valid until the waves of the jump and of its mirror image meet, about t = 0.27.
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     const Tube tube = tube_of(settings);
     const RiemannSolution solution(tube.left, tube.right, settings.real("sph.gamma"));
     return [tube, solution](const Array3& x, double t) -> GasState {
@@ -132,13 +120,13 @@ class Sod : public Scene {
       return {state.rho, {mirrored ? -state.v : state.v, 0, 0}, state.P};
     };
   }
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_x(-0.5, 0.5), exact(settings));
   }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = -0.5, .to = 0.5}; }
   GalleryTile gallery() const override {
     if (masses_ == "equal") return {};
-    return {.keys = {{"scene.n", "32"}, {"scene.across", "16"}}};
+    return {.keys = {"scene.n=32", "scene.across=16"}};
   }
 
  private:
@@ -147,14 +135,8 @@ class Sod : public Scene {
 
 }  // namespace
 
-const Scene& sod_scene() {
-  static const Sod scene("sod", "shock tube of S12, R10 or V10 against the exact solution", "equal");
-  return scene;
-}
-
-const Scene& sod_multimass_scene() {
-  static const Sod scene("sod-multimass", "the tube evenly sampled by masses of ratio 8 (S12 sec 7.2)", "multi");
-  return scene;
-}
+const Scene& sod_scene = Sod("sod", "shock tube of S12, R10 or V10 against the exact solution", "equal");
+const Scene& sod_multimass_scene =
+    Sod("sod-multimass", "the tube evenly sampled by masses of ratio 8 (S12 sec 7.2)", "multi");
 
 }  // namespace sphk

@@ -5,11 +5,11 @@
 
 #include "src/engine/errors.hpp"
 #include "src/scenes/block.hpp"
+#include "src/scenes/initial_condition.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/scenes/nearest.hpp"
 #include "src/scenes/norms.hpp"
 #include "src/scenes/scenes.hpp"
-#include "src/scenes/temperatures.hpp"
 
 namespace sphk {
 
@@ -75,7 +75,7 @@ class Square final : public Scene {
     return gas;
   }
 
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     return [problem = Problem(settings)](const Array3& x, double t) -> GasState {
       const int tag = problem.tag_at(x, t);
       return {problem.density(tag), problem.velocity(tag), pressure};
@@ -85,8 +85,7 @@ class Square final : public Scene {
   /// pressure_error: largest distance of a particle's pressure from the exact one, over it. mach: largest speed beside
   /// the velocity that the particle started with, over the speed of sound of the dense gas. gap: below. drift: of the
   /// dense gas' centre of mass from where the boost carries it, over the box; of a layer across it.
-  std::vector<std::pair<std::string, double>> measures(const Settings& settings,
-                                                       const Snapshot& snapshot) const override {
+  Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const Problem problem(settings);
     const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
     const auto &P = snapshot.field("Pressures").values, &tag = snapshot.field("PhaseTags").values;
@@ -118,7 +117,7 @@ class Square final : public Scene {
             .centre = problem.unmoved({0.5, 0.5, 0.5}, -settings.real("time.end")),
             .map = true};
   }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "32"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=32"}}; }
 
  private:
   struct Problem {
@@ -148,18 +147,13 @@ class Square final : public Scene {
       for (int axis = 0; axis < dimension; ++axis) x[axis] = wrapped(x[axis] - (axis < 2 ? boost * t : 0), 1);
       return x;
     }
-    int tag_at(const Array3& x, double t) const {
-      const Array3 start = unmoved(x, t);
+    /// x lies in the dense gas at the start, wherever it is along the axis `beside`.
+    bool inside(const Array3& x, int beside = -1) const {
       for (int axis = 0; axis < dimension; ++axis)
-        if (bounded(axis) && !(start[axis] > 0.25 && start[axis] < 0.75)) return thin_gas;
-      return dense_gas;
-    }
-    /// A line along this axis through x meets the dense gas' faces.
-    bool over_face(const Array3& x, int axis) const {
-      for (int other = 0; other < dimension; ++other)
-        if (other != axis && bounded(other) && !(x[other] > 0.25 && x[other] < 0.75)) return false;
+        if (axis != beside && bounded(axis) && !(x[axis] > 0.25 && x[axis] < 0.75)) return false;
       return true;
     }
+    int tag_at(const Array3& x, double t) const { return inside(unmoved(x, t)) ? dense_gas : thin_gas; }
     double density(int tag) const { return tag == dense_gas ? ratio : 1; }
     Array3 velocity(int tag) const { return {boost + (tag == dense_gas ? shear : -shear) / 2, boost, 0}; }
   };
@@ -192,7 +186,7 @@ class Square final : public Scene {
                  .counts = even_counts(problem.dimension, static_cast<int>(std::ceil(8 / h_max)))};
       grid.counts[axis] = 1;
       for (Array3 x : lattice_points(grid)) {
-        if (!problem.over_face(x, axis)) continue;
+        if (!problem.inside(x, axis)) continue;
         for (const double face : {0.25, 0.75})
           for (int beside = -2; beside <= 2; ++beside) {
             x[axis] = face + beside * h_max / 8;
@@ -213,9 +207,6 @@ class Square final : public Scene {
 
 }  // namespace
 
-const Scene& square_scene() {
-  static const Square scene;
-  return scene;
-}
+const Scene& square_scene = Square();
 
 }  // namespace sphk

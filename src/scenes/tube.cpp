@@ -17,38 +17,20 @@ namespace {
 struct TubeProblem {
   const char* name;
   TubeState left, right;
-  double gamma = 1.4, end = 1;
-  double lower = 0, jump = 0.5, upper = 1;
-  bool walls = true;
+  double gamma, end;
+  double lower, jump, upper;
   const char* source;
+  bool walls = true;
 };
 
 constexpr TubeProblem problems[] = {
-    {"blast", {1, 0, 1000}, {1, 0, 0.01}, 1.4, 0.0075, 0, 0.5, 1, true, "Toro 2009, test 3"},
-    {"strong-blast", {1, 0, 3000}, {1, 0, 1e-7}, 1.4, 0.015, -1.2, 0, 1.2, true, "pressures of 3e10"},
-    {"rarefactions", {1, -2, 0.4}, {1, 2, 0.4}, 1.4, 0.15, -1, 0.5, 2, false, "Einfeldt's 1-2-0-3; Toro 2009, test 2"},
-    {"leblanc",
-     {1, 0, 0.2 / 3},
-     {1e-3, 0, 0.2 / 3 * 1e-9},
-     5.0 / 3,
-     6,
-     0,
-     3,
-     9,
-     true,
-     "density 1:1000, pressure 1:1e9"},
-    {"slow-shock", {27.0 / 7, -0.810631, 31.0 / 3}, {1, -3.44, 1}, 1.4, 0.5, -3, 0, 3, false, "Quirk 1994: speed 0.11"},
-    {"streams", {1, 1, 0}, {1, -1, 0}, 5.0 / 3, 1, -2, 0, 2, false, "streams of scene.mach that collide"},
-    {"double-blast",
-     {1, 0, 1000},
-     {1, 0, 0.01},
-     1.4,
-     0.038,
-     0,
-     0.1,
-     1,
-     true,
-     "Woodward & Colella 1984; P = 100 from 0.9 on"},
+    {"blast", {1, 0, 1000}, {1, 0, 0.01}, 1.4, 0.0075, 0, 0.5, 1, "Toro 2009, test 3"},
+    {"strong-blast", {1, 0, 3000}, {1, 0, 1e-7}, 1.4, 0.015, -1.2, 0, 1.2, "pressures of 3e10"},
+    {"rarefactions", {1, -2, 0.4}, {1, 2, 0.4}, 1.4, 0.15, -1, 0.5, 2, "Einfeldt's 1-2-0-3; Toro 2009, test 2", false},
+    {"leblanc", {1, 0, 0.2 / 3}, {1e-3, 0, 0.2 / 3 * 1e-9}, 5.0 / 3, 6, 0, 3, 9, "density 1:1000, pressure 1:1e9"},
+    {"slow-shock", {27.0 / 7, -0.810631, 31.0 / 3}, {1, -3.44, 1}, 1.4, 0.5, -3, 0, 3, "Quirk 1994: speed 0.11", false},
+    {"streams", {1, 1, 0}, {1, -1, 0}, 5.0 / 3, 1, -2, 0, 2, "streams of scene.mach that collide", false},
+    {"double-blast", {1, 0, 1000}, {1, 0, 0.01}, 1.4, 0.038, 0, 0.1, 1, "Woodward & Colella 1984; P = 100 from 0.9 on"},
 };
 
 std::string list_of_problems() {
@@ -105,11 +87,7 @@ class Tube final : public Scene {
     const TubeProblem problem = problem_of(settings);
     const int D = scene_dimension(settings), n = scene_n(settings);
     const double length = problem.upper - problem.lower;
-    Block block{.dimension = D, .counts = even_counts(D, static_cast<int>(settings.integer("scene.across")))};
-    block.counts[0] = static_cast<int>(std::lround(n * length));
-    block.lower[0] = problem.lower;
-    block.size[0] = length;
-    for (int axis = 1; axis < D; ++axis) block.size[axis] = double(block.counts[axis]) / n;
+    const Block block = bar(D, n, static_cast<int>(settings.integer("scene.across")), problem.lower, length);
     ParticleSet gas;
     gas.dimension = D;
     gas.box = {block.lower, block.size, {problem.walls, D > 1, D > 2}};
@@ -129,7 +107,7 @@ class Tube final : public Scene {
   }
 
   /// As long as no wave has come back from a wall.
-  std::function<GasState(const Array3&, double)> exact(const Settings& settings) const override {
+  ExactSolution exact(const Settings& settings) const override {
     const TubeProblem problem = problem_of(settings);
     if (is_double_blast(problem)) return {};
     const RiemannSolution solution(problem.left, problem.right, problem.gamma);
@@ -140,11 +118,10 @@ class Tube final : public Scene {
       return {s.rho, {mirrored ? -s.v : s.v, 0, 0}, s.P};
     };
   }
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     const auto solution = exact(settings);
     const PlotHint hint = plot_hint(settings);
-    return solution ? profile_errors(snapshot, along_x(hint.from, hint.to), solution)
-                    : std::map<std::string, ErrorNorm>{};
+    return solution ? profile_errors(snapshot, along_x(hint.from, hint.to), solution) : Errors{};
   }
   /// Without the free ends, which expand.
   PlotHint plot_hint(const Settings& settings) const override {
@@ -164,9 +141,6 @@ class Tube final : public Scene {
 
 }  // namespace
 
-const Scene& tube_scene() {
-  static const Tube scene;
-  return scene;
-}
+const Scene& tube_scene = Tube();
 
 }  // namespace sphk

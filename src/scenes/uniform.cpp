@@ -43,27 +43,21 @@ class UniformGas : public Scene {
 
   /// rho = 1, P = 1.
   ParticleSet build(const Settings& settings) const override {
-    const Block block = block_of(settings);
-    ParticleSet gas;
-    gas.dimension = block.dimension;
-    gas.box = {block.lower, block.size, {true, block.dimension > 1, block.dimension > 2}};
-    gas.x = arranged_points(block, settings.text("scene.lattice"), settings.integer("scene.seed"));
-    gas.v.assign(gas.size(), {});
-    gas.m.assign(gas.size(), block.volume() / double(gas.size()));
+    ParticleSet gas = even_gas(block_of(settings), settings.text("scene.lattice"), settings.integer("scene.seed"));
     gas.u.assign(gas.size(), GasState{.rho = 1, .P = 1}.u(settings.real("sph.gamma")));
     shake(gas, settings.real("scene.jitter") / scene_n(settings), Uniform(settings.integer("scene.seed")));
     return gas;
   }
 
-  std::function<GasState(const Array3&, double)> exact(const Settings&) const override {
+  ExactSolution exact(const Settings&) const override {
     return [](const Array3&, double) { return GasState{1, {}, 1}; };
   }
-  std::map<std::string, ErrorNorm> errors(const Settings& settings, const Snapshot& snapshot) const override {
+  Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_x(0, 1), exact(settings));
   }
   /// density_scatter: standard deviation of the particles' densities over their mean. nearest: distance to the nearest
   /// neighbour that 5 % of the particles fall short of, over the mean spacing.
-  std::vector<std::pair<std::string, double>> measures(const Settings&, const Snapshot& snapshot) const override {
+  Measures measures(const Settings&, const Snapshot& snapshot) const override {
     const std::vector<double>& rho = snapshot.field("Densities").values;
     const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
     const auto count = static_cast<double>(snapshot.size());
@@ -79,7 +73,7 @@ class UniformGas : public Scene {
     const double spacing = std::pow(size[0] * size[1] * size[2] / count, 1.0 / snapshot.dimension);
     return {{"density_scatter", std::sqrt(variance) / mean}, {"nearest", *fifth / spacing}};
   }
-  GalleryTile gallery() const override { return {.keys = {{"scene.n", "24"}}}; }
+  GalleryTile gallery() const override { return {.keys = {"scene.n=24"}}; }
 
  private:
   static void shake(ParticleSet& gas, double largest, Uniform uniform) {
@@ -92,9 +86,6 @@ class UniformGas : public Scene {
 
 }  // namespace
 
-const Scene& uniform_scene() {
-  static const UniformGas scene;
-  return scene;
-}
+const Scene& uniform_scene = UniformGas();
 
 }  // namespace sphk

@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "kernels/smoothing/list.hpp"
@@ -19,12 +18,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A cell of the given edges and basis (in units of the edges), scaled to one particle in a unit of volume.
+/// A cell of the given edges (units beyond the dimension) and basis (in units of the edges), scaled to one particle in
+/// a unit of volume.
 Lattice scaled(const std::string& name, int dimension, std::array<Array3, 3> edges, const std::vector<Array3>& basis) {
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-  for (int a = 0; a < dimension; ++a)
-    for (int d = 0; d < dimension; ++d) matrix(a, d) = edges[a][d];
-  const double scale = std::pow(static_cast<double>(basis.size()) / std::abs(matrix.determinant()), 1.0 / dimension);
+  const double volume =
+      std::abs(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(edges[0].data()).determinant());
+  const double scale = std::pow(static_cast<double>(basis.size()) / volume, 1.0 / dimension);
   Lattice lattice{.name = name, .dimension = dimension, .edges = edges, .basis = {}};
   for (Array3& edge : lattice.edges)
     for (double& x : edge) x *= scale;
@@ -72,18 +71,9 @@ const Lattice& find_lattice(const std::string& name) {
   throw InputError(fmt::format("there is no lattice \"{}\"; known are {}", name, fmt::join(names, ", ")));
 }
 
-double WaveModes::least() const {
-  return std::fmin(std::fmin(longitudinal, transverse), relative);
-}
-
 WaveModes slower(const WaveModes& a, const WaveModes& b) {
   return {std::fmin(a.longitudinal, b.longitudinal), std::fmin(a.transverse, b.transverse),
           std::fmin(a.relative, b.relative)};
-}
-
-WaveModes no_waves() {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  return {nothing, nothing, nothing};
 }
 
 Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double h, double gamma)
@@ -143,7 +133,7 @@ WaveModes Dispersion::at(const Array3& k) const {
 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> waves(matrix);
   const double k2 = dot(k, k);
-  WaveModes modes = no_waves();
+  WaveModes modes;
   for (int n = 0; n < size; ++n) {  // eigenvalues rise
     double together = 0;
     Complex along = 0;
@@ -168,7 +158,7 @@ std::vector<WaveDirection> wave_directions(int dimension) {
 }
 
 WaveModes slowest_waves(const Dispersion& dispersion, const Array3& direction, int samples) {
-  WaveModes slowest = no_waves();
+  WaveModes slowest;
   for (int n = 1; n <= samples; ++n) {
     const double kappa = std::numbers::pi * n / samples;
     slowest = slower(slowest, dispersion.at({kappa * direction[0], kappa * direction[1], kappa * direction[2]}));
@@ -182,6 +172,27 @@ double lattice_support(double neighbours, int dimension) {
 
 double lattice_neighbours(double h, int dimension) {
   return unit_sphere_volume(dimension) * std::pow(h, dimension);
+}
+
+WaveModes least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples) {
+  const Dispersion dispersion(lattice, kernel, h, gamma);
+  WaveModes least;
+  for (const WaveDirection& direction : wave_directions(lattice.dimension))
+    least = slower(least, slowest_waves(dispersion, direction.k, samples));
+  return least;
+}
+
+std::string stability_remark(const std::string& kernel, double neighbours, int dimension, double gamma) {
+  const char* lattice = dimension == 1 ? "line" : dimension == 2 ? "square" : "cubic";
+  const double h = lattice_support(neighbours, dimension);
+  if (!(h < widest_support)) return "";
+  const WaveModes least = least_waves(find_lattice(lattice), kernel, h, gamma, 64);
+  if (least.least() >= unstable_below) return "";
+  const bool clumps = least.longitudinal < unstable_below;
+  return fmt::format(
+      "particles of {} with {:g} neighbours leave a {} lattice ({}, omega^2/(k^2 c^2) = {:.2g}; R10): "
+      "`sphk stability --kernel {} --lattice {}` lists stable neighbour numbers",
+      kernel, neighbours, lattice, clumps ? "they clump" : "they slip past each other", least.least(), kernel, lattice);
 }
 
 }  // namespace sphk

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <complex>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,14 +29,12 @@ const Lattice& find_lattice(const std::string& name);
 /// in which they move against each other: 1 for sound and 0 for what has no restoring force in a continuous medium;
 /// negative where particles run away from the lattice. NaN where there is none.
 struct WaveModes {
-  double longitudinal, transverse, relative;
+  double longitudinal = std::numeric_limits<double>::quiet_NaN(), transverse = longitudinal, relative = longitudinal;
   /// The least of those that there are.
-  double least() const;
+  double least() const { return std::fmin(std::fmin(longitudinal, transverse), relative); }
 };
 /// The slower ones of two sets of waves.
 WaveModes slower(const WaveModes& a, const WaveModes& b);
-/// No waves at all.
-WaveModes no_waves();
 
 /// Waves of SPH (R10 eq 10, constant A, h fixed) on a lattice at rest: R10 eq 40-43, for lattices of several particles
 /// a cell with their relative motion.
@@ -69,5 +69,18 @@ WaveModes slowest_waves(const Dispersion& dispersion, const Array3& direction, i
 /// Support radius of N_n neighbours on a lattice: V_D h^D = N_n; and back.
 double lattice_support(double neighbours, int dimension);
 double lattice_neighbours(double h, int dimension);
+
+/// omega^2/(k^2 c^2) below which a lattice is called unstable. Wide kernels that keep lattices for long have minima of
+/// a few times -1e-4 at the shortest waves; kernels that clump are below -2e-3.
+inline constexpr double unstable_below = -1e-3;
+
+/// Supports, in spacings, beyond which no lattice is looked at.
+inline constexpr double widest_support = 20;
+
+/// The slowest waves over R10's directions.
+WaveModes least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples);
+
+/// A sentence where particles of this kernel and neighbour number leave a cubic (in 2D square) lattice, else nothing.
+std::string stability_remark(const std::string& kernel, double neighbours, int dimension, double gamma);
 
 }  // namespace sphk

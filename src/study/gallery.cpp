@@ -40,7 +40,10 @@ struct Shown {
 
 KeyTexts keys_of(const Shown& shown) {
   KeyTexts keys{{"output.snapshots", "1"}};
-  std::ranges::copy(shown.tile.keys, std::back_inserter(keys));
+  for (const std::string& text : shown.tile.keys) {
+    const std::size_t sign = text.find('=');
+    keys.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
   return keys;
 }
 

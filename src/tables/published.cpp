@@ -7,6 +7,7 @@
 
 #include "kernels/smoothing/list.hpp"
 #include "src/scenes/block.hpp"
+#include "src/scenes/mass_profile.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -15,14 +16,6 @@ double half_last_digit(const std::string& printed) {
   const auto point = printed.find('.');
   const auto decimals = point == std::string::npos ? 0 : double(printed.size() - point - 1);
   return 0.5 * std::pow(10.0, -decimals);
-}
-
-double PublishedValue::difference() const {
-  return computed - std::stod(printed);
-}
-
-bool PublishedValue::agrees() const {
-  return std::abs(difference()) <= half_last_digit(printed) * (1 + 1e-9);
 }
 
 std::string PublishedTable::text() const {
@@ -50,12 +43,7 @@ namespace {
 /// Densities that the kernel measures on that arrangement of unit density, in ascending order.
 std::vector<double> measured_densities(const std::string& kernel, double neighbours, const std::string& arrangement,
                                        int n) {
-  const Block block{.dimension = 3, .counts = even_counts(3, n)};
-  ParticleSet gas;
-  gas.box.periodic = {true, true, true};
-  gas.x = arranged_points(block, arrangement);
-  gas.v.assign(gas.size(), {});
-  gas.m.assign(gas.size(), 1 / double(gas.size()));
+  ParticleSet gas = even_gas({.counts = even_counts(3, n)}, arrangement);
   gas.u.assign(gas.size(), 1.0);
   SimulationSettings settings;
   settings.kernel = kernel;
@@ -143,20 +131,7 @@ PublishedTable liq_coefficients() {
 
 double half_mass_radius(const std::string& kernel) {
   return with_kernel(kernel, [](const auto& k) {
-    // Half of the moments of q^2 w by the midpoint rule, then linear inside a step.
-    constexpr int steps = 200000;
-    const auto moment = [&](int step) {
-      const double q = (step + 0.5) / steps;
-      return q * q * k.w(q);
-    };
-    double whole = 0, part = 0;
-    for (int step = 0; step < steps; ++step) whole += moment(step);
-    for (int step = 0; step < steps; ++step) {
-      const double next = part + moment(step);
-      if (next >= 0.5 * whole) return (step + (0.5 * whole - part) / (next - part)) / steps;
-      part = next;
-    }
-    return 1.0;
+    return MassProfile([&](double q) { return q * q * k.w(q); }, 0, 1, 200000).place(0.5);
   });
 }
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 namespace sphk {
+
+/// Half a unit of the last digit of a printed number: 0.005 for "1.02".
+double half_last_digit(const std::string& printed);
 
 /// One number of a published table and what sphk computes for it.
 struct PublishedValue {
@@ -11,9 +15,9 @@ struct PublishedValue {
   std::string printed;  ///< as the paper prints it: its digits say how near is near
   double computed;
 
-  double difference() const;
+  double difference() const { return computed - std::stod(printed); }
   /// Within half a unit of the last printed digit.
-  bool agrees() const;
+  bool agrees() const { return std::abs(difference()) <= half_last_digit(printed) * (1 + 1e-9); }
 };
 
 struct PublishedTable {
@@ -26,9 +30,6 @@ struct PublishedTable {
   std::string text() const;
   std::string csv() const;
 };
-
-/// Half a unit of the last digit of a printed number: 0.005 for "1.02".
-double half_last_digit(const std::string& printed);
 
 /// S12 Table 1: densities of an even box of n^3 particles, on a cubic lattice and a glass, at the 95th, 50th and 5th
 /// percentile.

@@ -11,7 +11,7 @@ namespace {
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
 ParticleSet gas_of(const Keys& keys) {
-  return blob_scene().build(settings_of(blob_scene(), keys));
+  return blob_scene.build(settings_of(blob_scene, keys));
 }
 
 /// Place relative to the cloud's centre.
@@ -58,7 +58,7 @@ TEST(Blob, WindAndCloudAreInPressureBalance) {
 
 // tau_KH = 1.6 * 2 sqrt(10) / 2.7 = 3.7479.
 TEST(Blob, RunsForTwoGrowthTimes) {
-  EXPECT_NEAR(settings_of(blob_scene()).real("time.end"), 2 * 3.7479, 1e-4);
+  EXPECT_NEAR(settings_of(blob_scene).real("time.end"), 2 * 3.7479, 1e-4);
 }
 
 // The skin's motion is radial, at most 0.06 * 2.7 = 0.162 exp(2 (r - 1)), and comes near to that somewhere.
@@ -79,10 +79,10 @@ TEST(Blob, SkinIsDisturbedRadially) {
 // All mass of dense origin is cloud; quarter turns about the wind's axis map the lattice onto itself and cancel cos(3
 // phi).
 TEST(Blob, StartsWholeAndAtRest) {
-  const Settings settings = settings_of(blob_scene(), {{"scene.n", "16"}});
+  const Settings settings = settings_of(blob_scene, {{"scene.n", "16"}});
   const auto rho = [](const Array3& x) { return distance(x) < 1 ? 10.0 : 1.0; };
-  const auto start = start_snapshot(blob_scene().build(settings), 5.0 / 3, rho);
-  const auto measures = blob_scene().measures(settings, start);
+  const auto start = start_snapshot(blob_scene.build(settings), 5.0 / 3, rho);
+  const auto measures = blob_scene.measures(settings, start);
   ASSERT_EQ(measures.size(), 2u);
   EXPECT_EQ(measures[0].first, "cloud_mass");
   EXPECT_NEAR(measures[0].second, 1, 1e-12);

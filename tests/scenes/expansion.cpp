@@ -13,8 +13,8 @@ namespace {
 TEST(Expansion, ParticlesFollowTheMassOfTheBall) {
   const double mass[] = {2 * 3 * M_PI / 16, 2 * M_PI / 5, 4 * M_PI * M_PI / 32};
   for (int D = 1; D <= 3; ++D) {
-    const auto gas = expansion_scene().build(
-        settings_of(expansion_scene(), {{"scene.n", "40"}, {"scene.dimension", std::to_string(D)}}));
+    const auto gas = expansion_scene.build(
+        settings_of(expansion_scene, {{"scene.n", "40"}, {"scene.dimension", std::to_string(D)}}));
     EXPECT_NEAR(total_mass(gas), mass[D - 1], 1e-6);
     EXPECT_EQ(std::ranges::min(gas.m), std::ranges::max(gas.m));
     EXPECT_TRUE(inside_box(gas));
@@ -28,8 +28,8 @@ TEST(Expansion, ParticlesFollowTheMassOfTheBall) {
 
 TEST(Expansion, EndsAtFiveTimesItsRadius) {
   for (int D = 1; D <= 3; ++D) {
-    const Settings settings = settings_of(expansion_scene(), {{"scene.dimension", std::to_string(D)}});
-    const auto exact = expansion_scene().exact(settings);
+    const Settings settings = settings_of(expansion_scene, {{"scene.dimension", std::to_string(D)}});
+    const auto exact = expansion_scene.exact(settings);
     EXPECT_GT(exact({4.9, 0, 0}, settings.real("time.end")).rho, 0) << D;
     EXPECT_EQ(exact({5.1, 0, 0}, settings.real("time.end")).rho, 0) << D;
   }
@@ -38,26 +38,26 @@ TEST(Expansion, EndsAtFiveTimesItsRadius) {
 TEST(Expansion, TheExactSolutionHasNoErrors) {
   for (const char* variant : {"ball", "slab"}) {
     const Settings settings =
-        settings_of(expansion_scene(), {{"scene.n", "8"}, {"scene.across", "2"}, {"scene.variant", variant}});
-    const auto gas = expansion_scene().build(settings);
-    const auto exact = expansion_scene().exact(settings);
+        settings_of(expansion_scene, {{"scene.n", "8"}, {"scene.across", "2"}, {"scene.variant", variant}});
+    const auto gas = expansion_scene.build(settings);
+    const auto exact = expansion_scene.exact(settings);
     const auto right = snapshot_of(gas, 0.4, [&](const Array3& x) { return exact(x, 0.4); });
     const auto wrong = snapshot_of(gas, 0.4, [&](const Array3& x) {
       GasState state = exact(x, 0.4);
       state.rho *= x[0] > 0 ? 1.1 : 0.9;
       return state;
     });
-    EXPECT_EQ(expansion_scene().errors(settings, right).at("v_particles").linf, 0) << variant;
-    EXPECT_EQ(expansion_scene().measures(settings, right)[0].second, 0) << variant;
-    EXPECT_NEAR(expansion_scene().measures(settings, wrong)[0].second, 0.1, 1e-12) << variant;
+    EXPECT_EQ(expansion_scene.errors(settings, right).at("v_particles").linf, 0) << variant;
+    EXPECT_EQ(expansion_scene.measures(settings, right)[0].second, 0) << variant;
+    EXPECT_NEAR(expansion_scene.measures(settings, wrong)[0].second, 0.1, 1e-12) << variant;
   }
 }
 
 // The two sides of the slab mirror each other. Its mass is 1; the pressure in the middle, 1/gamma for as long as no
 // rarefaction gets there, gives each side a momentum of t/gamma. Sums over cells of continuous functions.
 TEST(Expansion, SlabConservesMassAndMomentum) {
-  const Settings settings = settings_of(expansion_scene(), {{"scene.variant", "slab"}, {"sph.gamma", "1.4"}});
-  const auto exact = expansion_scene().exact(settings);
+  const Settings settings = settings_of(expansion_scene, {{"scene.variant", "slab"}, {"sph.gamma", "1.4"}});
+  const auto exact = expansion_scene.exact(settings);
   double mass = 0, momentum = 0;
   constexpr int cells = 100000;
   for (int k = 0; k < cells; ++k) {
@@ -75,8 +75,8 @@ TEST(Expansion, SlabConservesMassAndMomentum) {
 
 TEST(Expansion, SlabIsEven) {
   for (int D = 1; D <= 3; ++D) {
-    const auto gas = expansion_scene().build(settings_of(
-        expansion_scene(), {{"scene.variant", "slab"}, {"scene.n", "16"}, {"scene.dimension", std::to_string(D)}}));
+    const auto gas = expansion_scene.build(settings_of(
+        expansion_scene, {{"scene.variant", "slab"}, {"scene.n", "16"}, {"scene.dimension", std::to_string(D)}}));
     EXPECT_EQ(gas.size(), 16 * std::pow(8, D - 1));
     EXPECT_NEAR(total_mass(gas), std::pow(0.5, D - 1), 1e-12);
     EXPECT_EQ(gas.box.periodic, (std::array<bool, 3>{false, D > 1, D > 2}));

@@ -10,7 +10,7 @@ namespace {
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
 ParticleSet gas_of(const Keys& keys) {
-  return mcnally_scene().build(settings_of(mcnally_scene(), keys));
+  return mcnally_scene.build(settings_of(mcnally_scene, keys));
 }
 
 /// Mass below y <= 1/4: the integral of 1 + 0.5 exp((y - 1/4)/0.025).
@@ -54,9 +54,9 @@ TEST(McNally, RampsJoinTheGases) {
 TEST(McNally, StartsWithTheSeededMode) {
   for (const Keys& keys : {Keys{{"scene.n", "64"}, {"scene.dimension", "3"}, {"scene.layers", "4"}},
                            Keys{{"scene.n", "64"}, {"scene.masses", "multi"}}}) {
-    const Settings settings = settings_of(mcnally_scene(), keys);
-    const auto start = start_snapshot(mcnally_scene().build(settings), 5.0 / 3, [](const Array3&) { return 1.0; });
-    const auto measures = mcnally_scene().measures(settings, start);
+    const Settings settings = settings_of(mcnally_scene, keys);
+    const auto start = start_snapshot(mcnally_scene.build(settings), 5.0 / 3, [](const Array3&) { return 1.0; });
+    const auto measures = mcnally_scene.measures(settings, start);
     EXPECT_NEAR(measures[0].second, 0.01, 1e-15);
     EXPECT_EQ(measures[3].second, 0);
   }

@@ -10,7 +10,7 @@ namespace sphk {
 namespace {
 
 ParticleSet odd(const std::string& problem) {
-  const ParticleSet gas = odd_scene().build(settings_of(odd_scene(), {{"scene.problem", problem}}));
+  const ParticleSet gas = odd_scene.build(settings_of(odd_scene, {{"scene.problem", problem}}));
   EXPECT_NEAR(total_mass(gas), 1, 1e-12) << problem;
   return gas;
 }

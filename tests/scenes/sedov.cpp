@@ -11,8 +11,8 @@ namespace {
 // E = 1 above the gas at rest: u = A rho^(gamma-1)/(gamma-1) = 0.05/(2/3) = 0.075 times the mass of the unit box.
 TEST(Sedov, InjectsTheEnergyIntoTheCentre) {
   for (const char* dimension : {"1", "2", "3"}) {
-    const Settings settings = settings_of(sedov_scene(), {{"scene.n", "32"}, {"scene.dimension", dimension}});
-    const ParticleSet gas = sedov_scene().build(settings);
+    const Settings settings = settings_of(sedov_scene, {{"scene.n", "32"}, {"scene.dimension", dimension}});
+    const ParticleSet gas = sedov_scene.build(settings);
     double energy = 0;
     for (std::size_t i = 0; i < gas.size(); ++i) {
       energy += gas.m[i] * gas.u[i];
@@ -25,14 +25,14 @@ TEST(Sedov, InjectsTheEnergyIntoTheCentre) {
 }
 
 TEST(Sedov, RefusesABlastWithoutParticles) {
-  EXPECT_THROW(sedov_scene().build(settings_of(sedov_scene(), {{"scene.n", "8"}, {"scene.blast_radius", "0.01"}})),
+  EXPECT_THROW(sedov_scene.build(settings_of(sedov_scene, {{"scene.n", "8"}, {"scene.blast_radius", "0.01"}})),
                InputError);
 }
 
 // r = 1.15 (E t^2 / rho)^(1/5) = 0.347 at t = 0.05 (S12 eq 47): just inside rho is near 4, v outwards; outside at rest.
 TEST(Sedov, ExactSolutionPointsOutwards) {
-  const Settings settings = settings_of(sedov_scene());
-  const auto exact = sedov_scene().exact(settings);
+  const Settings settings = settings_of(sedov_scene);
+  const auto exact = sedov_scene.exact(settings);
   const GasState outside = exact({0, 0.36, 0}, 0.05), inside = exact({0, -0.34, 0}, 0.05);
   EXPECT_EQ(outside.rho, 1);
   EXPECT_EQ(outside.P, 0.05);
@@ -43,10 +43,10 @@ TEST(Sedov, ExactSolutionPointsOutwards) {
 }
 
 TEST(Sedov, TheExactSolutionHasNoErrors) {
-  const Settings settings = settings_of(sedov_scene(), {{"scene.n", "32"}});
-  const auto snapshot = exact_snapshot(sedov_scene(), settings, 0.05);
-  EXPECT_EQ(sedov_scene().errors(settings, snapshot).at("rho_particles").linf, 0);
-  const auto measures = sedov_scene().measures(settings, snapshot);
+  const Settings settings = settings_of(sedov_scene, {{"scene.n", "32"}});
+  const auto snapshot = exact_snapshot(sedov_scene, settings, 0.05);
+  EXPECT_EQ(sedov_scene.errors(settings, snapshot).at("rho_particles").linf, 0);
+  const auto measures = sedov_scene.measures(settings, snapshot);
   ASSERT_EQ(measures.size(), 4u);
   EXPECT_GT(measures[0].second, 2);
   EXPECT_LE(measures[0].second, 4);
@@ -59,14 +59,14 @@ TEST(Sedov, TheExactSolutionHasNoErrors) {
 // Gas that moves as v = 2 r is the same along all axes. With the particles of one side 1.1 times as far out, and so
 // as fast, its mean radius is 1.1 times that of the other three: 0.1 / ((3 + 1.1) / 4).
 TEST(Sedov, MeasuresItsRoundness) {
-  const Settings settings = settings_of(sedov_scene(), {{"scene.n", "64"}, {"scene.dimension", "2"}});
-  ParticleSet gas = sedov_scene().build(settings);
+  const Settings settings = settings_of(sedov_scene, {{"scene.n", "64"}, {"scene.dimension", "2"}});
+  ParticleSet gas = sedov_scene.build(settings);
   const auto moving = [](const Array3& x) { return GasState{1, {2 * x[0], 2 * x[1], 0}, 1}; };
-  EXPECT_NEAR(sedov_scene().measures(settings, snapshot_of(gas, 0, moving))[3].second, 0, 1e-12);
+  EXPECT_NEAR(sedov_scene.measures(settings, snapshot_of(gas, 0, moving))[3].second, 0, 1e-12);
   for (Array3& x : gas.x)
     if (x[0] > std::abs(x[1]))
       for (double& s : x) s *= 1.1;
-  EXPECT_NEAR(sedov_scene().measures(settings, snapshot_of(gas, 0, moving))[3].second, 0.4 / 4.1, 1e-12);
+  EXPECT_NEAR(sedov_scene.measures(settings, snapshot_of(gas, 0, moving))[3].second, 0.4 / 4.1, 1e-12);
 }
 
 // Masses jump by k^D at x = a, the first place from 0.125 on where both lattices end on whole cells; the density is 1
@@ -74,8 +74,8 @@ TEST(Sedov, MeasuresItsRoundness) {
 TEST(Sedov, IsCoarserAtOneSide) {
   for (const int D : {1, 2, 3})
     for (const int k : {2, 4}) {
-      const ParticleSet gas = sedov_scene().build(settings_of(
-          sedov_scene(),
+      const ParticleSet gas = sedov_scene.build(settings_of(
+          sedov_scene,
           {{"scene.n", "16"}, {"scene.coarser", std::to_string(k)}, {"scene.dimension", std::to_string(D)}}));
       EXPECT_NEAR(total_mass(gas), 1, 1e-12);
       EXPECT_TRUE(inside_box(gas));
@@ -91,8 +91,7 @@ TEST(Sedov, IsCoarserAtOneSide) {
       EXPECT_NEAR(light_end, a - 0.5 / 16, 1e-12);
       EXPECT_NEAR(heavy_start, a + 0.5 * k / 16, 1e-12);
     }
-  EXPECT_THROW(sedov_scene().build(settings_of(sedov_scene(), {{"scene.n", "18"}, {"scene.coarser", "4"}})),
-               InputError);
+  EXPECT_THROW(sedov_scene.build(settings_of(sedov_scene, {{"scene.n", "18"}, {"scene.coarser", "4"}})), InputError);
 }
 
 }  // namespace

@@ -17,16 +17,16 @@ Settings settings_with(const Keys& keys) {
   declare_engine_keys(settings);
   declare_initial_condition_keys(settings);
   settings.declare({.name = "time.end", .value = 1.0, .doc = "", .choices = {}});
-  shearing_scene().declare(settings);
+  shearing_scene.declare(settings);
   for (const auto& [name, text] : keys) settings.set_from_text(name, text, Origin::command_line);
-  shearing_scene().adapt(settings);
-  adopt_scheme(settings, 2, shearing_scene().mixes());
+  shearing_scene.adapt(settings);
+  adopt_scheme(settings, 2, shearing_scene.mixes());
   return settings;
 }
 
 /// Lowest and highest pressure of a run at its end.
 std::pair<double, double> pressures_after(const Settings& settings, double end) {
-  const auto run = make_simulation(initial_condition(shearing_scene(), settings), simulation_settings(settings));
+  const auto run = make_simulation(initial_condition(shearing_scene, settings), simulation_settings(settings));
   while (run->time() < end) run->step(end);
   const Totals totals = run->totals();
   return {totals.min_pressure, totals.max_pressure};
@@ -36,8 +36,8 @@ std::pair<double, double> pressures_after(const Settings& settings, double end) 
 // grids (to 1 %).
 TEST(Shearing, CountsAreV10s) {
   const auto count = [](const char* series) {
-    Settings settings = settings_of(shearing_scene(), {{"scene.series", series}});
-    return double(shearing_scene().build(settings).size());
+    Settings settings = settings_of(shearing_scene, {{"scene.series", series}});
+    return double(shearing_scene.build(settings).size());
   };
   EXPECT_NEAR(count("SPH"), 199252, 0.002 * 199252);
   EXPECT_EQ(count("LIQ"), 184100);
@@ -63,16 +63,18 @@ TEST(Shearing, FlowIsV10s) {
   const double speed = 0.5 * std::sqrt(5.0 / 3);
   for (const double reach : {0.0, 0.025}) {
     const ParticleSet gas =
-        shearing_scene().build(settings_of(shearing_scene(), {{"scene.n", "40"},
-                                                              {"scene.mach", "0.5"},
-                                                              {"scene.seed_reach", std::to_string(reach)},
-                                                              {"sph.gamma", "1.66666666666666667"}}));
+        shearing_scene.build(settings_of(shearing_scene, {{"scene.n", "40"},
+                                                          {"scene.mach", "0.5"},
+                                                          {"scene.seed_reach", std::to_string(reach)},
+                                                          {"sph.gamma", "1.66666666666666667"}}));
     for (std::size_t i = 0; i < gas.size(); ++i) {
       const double inwards = 0.25 - std::abs(gas.x[i][1] - 0.5);
       ASSERT_NEAR(gas.v[i][0], inwards > 0 ? speed : -speed, 1e-12);
       const bool seeded = reach == 0 || std::abs(inwards) < reach;
       ASSERT_NEAR(gas.v[i][1], seeded ? 0.025 * std::sin(12 * M_PI * gas.x[i][0]) : 0, 1e-12);
-      if (std::abs(inwards) > 0.04) ASSERT_NEAR(gas.u[i], inwards > 0 ? 1.5 : 15, 1e-9);
+      if (std::abs(inwards) > 0.04) {
+        ASSERT_NEAR(gas.u[i], inwards > 0 ? 1.5 : 15, 1e-9);
+      }
     }
   }
 }
@@ -102,8 +104,8 @@ TEST(InitialCondition, RelaxesWithoutWork) {
   const Keys keys{{"scene.series", "RHO"}, {"scene.n", "24"}, {"viscosity.alpha", "0"}, {"conductivity.alpha", "0"}};
   Keys relaxed = keys;
   relaxed.emplace_back("ic.relax", "0.1");
-  const ParticleSet before = initial_condition(shearing_scene(), settings_with(keys));
-  const ParticleSet after = initial_condition(shearing_scene(), settings_with(relaxed));
+  const ParticleSet before = initial_condition(shearing_scene, settings_with(keys));
+  const ParticleSet after = initial_condition(shearing_scene, settings_with(relaxed));
   double moved = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     moved = std::max(moved, std::abs(after.x[i][1] - before.x[i][1]));

@@ -9,8 +9,8 @@ namespace {
 
 TEST(UniformGas, FillsBoxesOfAnyDimension) {
   for (int D = 1; D <= 3; ++D) {
-    const auto gas = uniform_scene().build(settings_of(
-        uniform_scene(), {{"scene.n", "8"}, {"scene.lattice", "cubic"}, {"scene.dimension", std::to_string(D)}}));
+    const auto gas = uniform_scene.build(settings_of(
+        uniform_scene, {{"scene.n", "8"}, {"scene.lattice", "cubic"}, {"scene.dimension", std::to_string(D)}}));
     EXPECT_EQ(gas.dimension, D);
     EXPECT_EQ(gas.size(), std::size_t(std::pow(8, D)));
     EXPECT_NEAR(total_mass(gas), 1, 1e-13);
@@ -18,8 +18,8 @@ TEST(UniformGas, FillsBoxesOfAnyDimension) {
 }
 
 TEST(UniformGas, MakesThinSlabs) {
-  const auto gas = uniform_scene().build(
-      settings_of(uniform_scene(), {{"scene.n", "16"}, {"scene.layers", "4"}, {"scene.lattice", "cubic"}}));
+  const auto gas = uniform_scene.build(
+      settings_of(uniform_scene, {{"scene.n", "16"}, {"scene.layers", "4"}, {"scene.lattice", "cubic"}}));
   EXPECT_EQ(gas.size(), 16u * 16 * 4);
   EXPECT_EQ(gas.box.size, (Array3{1, 1, 0.25}));
   EXPECT_NEAR(total_mass(gas), 0.25, 1e-13);
@@ -28,8 +28,8 @@ TEST(UniformGas, MakesThinSlabs) {
 // Shifts are at most 0.3 of the spacing 1/16, on every axis, and differ between seeds.
 TEST(UniformGas, JitterIsBoundedAndRepeatable) {
   const auto build = [](const char* jitter, const char* seed) {
-    return uniform_scene().build(
-        settings_of(uniform_scene(),
+    return uniform_scene.build(
+        settings_of(uniform_scene,
                     {{"scene.n", "16"}, {"scene.jitter", jitter}, {"scene.seed", seed}, {"scene.lattice", "cubic"}}));
   };
   const auto still = build("0", "1"), shaken = build("0.3", "1");
@@ -44,11 +44,11 @@ TEST(UniformGas, JitterIsBoundedAndRepeatable) {
 }
 
 TEST(UniformGas, DensityErrorsAreAgainstOne) {
-  const Settings settings = settings_of(uniform_scene(), {{"scene.n", "8"}, {"scene.lattice", "cubic"}});
-  const auto snapshot = snapshot_of(uniform_scene().build(settings), 0, [](const Array3&) {
+  const Settings settings = settings_of(uniform_scene, {{"scene.n", "8"}, {"scene.lattice", "cubic"}});
+  const auto snapshot = snapshot_of(uniform_scene.build(settings), 0, [](const Array3&) {
     return GasState{1.07, {}, 1};
   });
-  EXPECT_NEAR(uniform_scene().errors(settings, snapshot).at("rho").l1, 0.07, 1e-14);
+  EXPECT_NEAR(uniform_scene.errors(settings, snapshot).at("rho").l1, 0.07, 1e-14);
 }
 
 // On a lattice the nearest neighbour is one spacing away, in thin slabs as well. Of points that lie at random, each for
@@ -60,26 +60,26 @@ TEST(UniformGas, MeasuresTheNearestNeighbour) {
   for (int D = 1; D <= 3; ++D)
     for (const char* lattice : {"cubic", "random"}) {
       const Settings settings = settings_of(
-          uniform_scene(), {{"scene.n", n[D - 1]}, {"scene.dimension", std::to_string(D)}, {"scene.lattice", lattice}});
-      const auto gas = uniform_scene().build(settings);
+          uniform_scene, {{"scene.n", n[D - 1]}, {"scene.dimension", std::to_string(D)}, {"scene.lattice", lattice}});
+      const auto gas = uniform_scene.build(settings);
       EXPECT_TRUE(inside_box(gas));
       const auto even = [](const Array3& x) { return GasState{x[0] < 0.5 ? 0.9 : 1.1, {}, 1}; };
-      const auto measures = uniform_scene().measures(settings, snapshot_of(gas, 0, even));
+      const auto measures = uniform_scene.measures(settings, snapshot_of(gas, 0, even));
       const bool cubic = std::string(lattice) == "cubic";
       EXPECT_NEAR(measures[0].second, 0.1, cubic ? 0.001 : 0.002);
       const double expected = cubic ? 1 : std::pow(-std::log(0.95) / sphere[D - 1], 1.0 / D);
       EXPECT_NEAR(measures[1].second / expected, 1, cubic ? 1e-9 : 0.1 / D) << D;
     }
   const Settings slab =
-      settings_of(uniform_scene(), {{"scene.n", "16"}, {"scene.layers", "4"}, {"scene.lattice", "cubic"}});
-  const auto flat = snapshot_of(uniform_scene().build(slab), 0, [](const Array3&) { return GasState{1, {}, 1}; });
-  EXPECT_NEAR(uniform_scene().measures(slab, flat)[1].second, 1, 1e-9);
+      settings_of(uniform_scene, {{"scene.n", "16"}, {"scene.layers", "4"}, {"scene.lattice", "cubic"}});
+  const auto flat = snapshot_of(uniform_scene.build(slab), 0, [](const Array3&) { return GasState{1, {}, 1}; });
+  EXPECT_NEAR(uniform_scene.measures(slab, flat)[1].second, 1, 1e-9);
 }
 
 TEST(UniformGas, RandomPlacesDependOnTheSeed) {
   const auto build = [](const char* seed) {
-    return uniform_scene().build(
-        settings_of(uniform_scene(), {{"scene.n", "8"}, {"scene.lattice", "random"}, {"scene.seed", seed}}));
+    return uniform_scene.build(
+        settings_of(uniform_scene, {{"scene.n", "8"}, {"scene.lattice", "random"}, {"scene.seed", seed}}));
   };
   EXPECT_EQ(build("1").x, build("1").x);
   EXPECT_NE(build("1").x, build("2").x);

@@ -8,7 +8,6 @@
 
 #include "src/engine/errors.hpp"
 #include "src/schemes/registry.hpp"
-#include "src/stability/verdict.hpp"
 
 namespace sphk {
 namespace {
@@ -59,7 +58,9 @@ TEST(Dispersion, OfLongWavesIsThatOfSound) {
     const double h = lattice.dimension == 1 ? 6 : 5;
     const WaveModes modes = Dispersion(lattice, "wc6", h, gamma_gas).at({0.02, 0, 0});
     EXPECT_NEAR(modes.longitudinal, 1, 0.01) << lattice.name;
-    if (lattice.dimension > 1) EXPECT_NEAR(modes.transverse, 0, 0.01) << lattice.name;
+    if (lattice.dimension > 1) {
+      EXPECT_NEAR(modes.transverse, 0, 0.01) << lattice.name;
+    }
   }
 }
 

@@ -72,11 +72,22 @@ def colour_norm(images):
     return Normalize(middle - spread / 2, middle + spread / 2)
 
 
-def draw_density_maps(snapshots, path):
-    """A panel for each snapshot, on one colour scale: wide ones below each other, others side by side."""
+def images_of(snapshots):
+    """Frames and images, and one colour scale for all."""
     frames = [frame(snapshot) for snapshot in snapshots]
     images = [density_image(snapshot, *frames[k]) for k, snapshot in enumerate(snapshots)]
-    norm = colour_norm(images)
+    return frames, images, colour_norm(images)
+
+
+def draw_image(axes, image, norm, lower, size):
+    axes.grid(False)
+    return axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
+                       extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
+
+
+def draw_density_maps(snapshots, path):
+    """A panel for each snapshot, on one colour scale: wide ones below each other, others side by side."""
+    frames, images, norm = images_of(snapshots)
     shape = min(max(max(size[1] / size[0] for _, size in frames), 0.25), 2.0)
     rows, columns = (len(images), 1) if shape < 0.6 else (1, len(images))
     figure, panels = plt.subplots(rows, columns, squeeze=False, constrained_layout=True,
@@ -84,14 +95,10 @@ def draw_density_maps(snapshots, path):
     figure.get_layout_engine().set(wspace=0.15)  # it does not see the colour bars' labels
     for axes, snapshot, (lower, size), image in zip(panels.flat, snapshots, frames, images):
         item = snapshot.item
-        picture = axes.imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
-                              extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
-        axes.grid(False)
-        axes.set_xlabel("$x$")
-        axes.set_ylabel("$y$")
+        picture = draw_image(axes, image, norm, lower, size)
         middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
         where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
-        axes.set_title(f"{item['title']}\nt = {item['time']:.4g}{where}")
+        axes.set(xlabel="$x$", ylabel="$y$", title=f"{item['title']}\nt = {item['time']:.4g}{where}")
         bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
         colours = figure.colorbar(picture, cax=bar, label=LABELS["rho"])
         if isinstance(norm, LogNorm):

@@ -2,8 +2,8 @@
 steepest place, |E0| and P along y, and how far the nearest neighbours are."""
 
 import numpy as np
-from density_map import colour_norm, density_image, frame
-from style import LABELS, MEAN, PARTICLES, plt, save
+from density_map import draw_image, images_of
+from style import LABELS, MEAN, PARTICLES, plt, save, share_limits
 
 MOST_POINTS = 30000
 BINS = 64
@@ -68,35 +68,21 @@ def draw_nearest(axes, snapshot):
     axes.set(xlim=(0, 1.5), ylabel="share of particles, per spacing")
 
 
-def shared_limits(panels, logarithmic):
-    """One range for all runs, so that rows compare."""
-    lows, highs = zip(*(axes.get_ylim() for axes in panels))
-    low, high = min(lows), max(highs)
-    if logarithmic:
-        low = max(low, 1e-6 * high)
-    for axes in panels:
-        axes.set_ylim(low, high)
-
-
 def draw_errors(snapshots, path):
-    frames = [frame(snapshot) for snapshot in snapshots]
-    images = [density_image(snapshot, *frames[k]) for k, snapshot in enumerate(snapshots)]
-    norm = colour_norm(images)
+    frames, images, norm = images_of(snapshots)
     figure, grid = plt.subplots(len(snapshots), 5, squeeze=False, figsize=(26, 4.7 * len(snapshots)),
                                 constrained_layout=True)
     for row, snapshot, (lower, size), image in zip(grid, snapshots, frames, images):
         item = snapshot.item
-        picture = row[0].imshow(image, origin="lower", norm=norm, cmap="viridis", interpolation="bilinear",
-                                extent=(lower[0], lower[0] + size[0], lower[1], lower[1] + size[1]))
-        row[0].grid(False)
+        picture = draw_image(row[0], image, norm, lower, size)
         row[0].set(title=f"{item['title']}\nt = {item['time']:.4g}", ylabel="$y$")
         figure.colorbar(picture, ax=row[0], label=LABELS["rho"])
         draw_close_up(row[1], snapshot, steepest_place(image, lower, size), ZOOM * size.max())
         draw_along_y(row[2], snapshot, np.sqrt((snapshot.E0**2).sum(1)), r"$|E_0|$", True)
         draw_along_y(row[3], snapshot, snapshot.fields["P"], LABELS["P"], False)
         draw_nearest(row[4], snapshot)
-    shared_limits(grid[:, 2], True)
-    shared_limits(grid[:, 3], False)
+    share_limits(grid[:, 2], decades=6)
+    share_limits(grid[:, 3])
     labels = ("$x$", "$x$", "$y$", "$y$", "distance of the nearest neighbour")
     for axes, label in zip(grid[-1], labels):
         axes.set_xlabel(label)

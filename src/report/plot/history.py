@@ -3,7 +3,7 @@
 import csv
 
 import numpy as np
-from style import LINES, MARKERS, plt, save
+from style import LINES, MARKERS, panels_of, plt, save
 
 DRIFTS = {
     "energy_drift": "energy",
@@ -134,14 +134,9 @@ def draw_history(history, references, title, path):
     if any("l1_" + name in history for name in SYMBOLS):
         panels.append(draw_errors)
     panels += [lambda axes, history, name=name: draw_measure(axes, history, name, references) for name in measures_of(history)]
-    columns = min(len(panels), 3)
-    rows = -(-len(panels) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(5.6 * columns, 4.6 * rows + 0.4), squeeze=False,
-                                constrained_layout=True)
-    for axes, draw in zip(grid.flat, panels):
+    figure, grid, _ = panels_of(len(panels), 3, 5.6, 4.6, header=0.4)
+    for axes, draw in zip(grid, panels):
         draw(axes, history)
-    for axes in list(grid.flat)[len(panels):]:
-        axes.axis("off")
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12)
     figure.suptitle(title, fontsize=15)
     save(figure, path)

@@ -35,35 +35,14 @@ def has_map(item):
     return item["dimension"] == 2 or (item["dimension"] == 3 and (item["map"] or item["abscissa"] in ("R", "r")))
 
 
-def main():
-    work = json.load(sys.stdin)
-    if work.get("stability"):
-        draw_stability(work)
-        return
-    if work.get("conservation"):
-        draw_conservation(work["conservation"], work["out"])
-        return
-    if work.get("study"):
-        draw_study(work)
-        return
-    if work.get("gallery"):
-        draw_gallery(work["gallery"], work["out"])
-        return
-    if work.get("kernels"):
-        draw_kernels(work["kernels"], work["out"])
-        return
-    if work.get("errors"):
-        draw_errors([Snapshot(item) for item in work["errors"]], work["out"])
-        return
-    if work.get("profiles"):
-        name, items = work["field"], work["profiles"]
-        errors = [errors_at(read_history(item["history"]), item["time"]).get(name) if item["history"] else None
-                  for item in items]
-        draw_one_field([Snapshot(item) for item in items], errors, name, work["out"])
-        return
-    if work.get("beside"):
-        draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"])
-        return
+def draw_one_field_of(work):
+    name, items = work["field"], work["profiles"]
+    errors = [errors_at(read_history(item["history"]), item["time"]).get(name) if item["history"] else None
+              for item in items]
+    draw_one_field([Snapshot(item) for item in items], errors, name, work["out"])
+
+
+def draw_run(work):
     history = read_history(work["history"]) if work["history"] else {}
     for item in work["snapshots"]:
         snapshot = Snapshot(item)
@@ -74,4 +53,16 @@ def main():
         draw_history(history, work["references"], work["snapshots"][-1]["title"], work["history_out"])
 
 
-main()
+FIGURES = {  # by the key that only the work order of such a figure has
+    "stability": draw_stability,
+    "conservation": lambda work: draw_conservation(work["conservation"], work["out"]),
+    "study": draw_study,
+    "gallery": lambda work: draw_gallery(work["gallery"], work["out"]),
+    "kernels": lambda work: draw_kernels(work["kernels"], work["out"]),
+    "errors": lambda work: draw_errors([Snapshot(item) for item in work["errors"]], work["out"]),
+    "profiles": draw_one_field_of,
+    "beside": lambda work: draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"]),
+}
+
+work = json.load(sys.stdin)
+next((draw for key, draw in FIGURES.items() if work.get(key)), draw_run)(work)

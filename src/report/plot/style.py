@@ -48,9 +48,24 @@ VELOCITIES = {
 }
 
 
-def number(value):
-    """A short number for titles: 0.0367, 1.2e-06."""
-    return f"{value:.3g}"
+def panels_of(count, most_columns, width, height, header=0.0, **options):
+    """A figure of `count` panels, each of that size in inches, and its number of rows; what is left of the grid stays
+    empty."""
+    columns = min(count, most_columns)
+    rows = -(-count // columns)
+    figure, grid = plt.subplots(rows, columns, figsize=(width * columns, height * rows + header), squeeze=False,
+                                constrained_layout=True, **options)
+    for axes in grid.flat[count:]:
+        axes.axis("off")
+    return figure, grid.flat[:count], rows
+
+
+def share_limits(panels, decades=None):
+    """One range of y for all, so that they compare; of no more than so many decades."""
+    lows, highs = zip(*(axes.get_ylim() for axes in panels))
+    low, high = min(lows), max(highs)
+    for axes in panels:
+        axes.set_ylim(max(low, high / 10**decades) if decades else low, high)
 
 
 def save(figure, path):
