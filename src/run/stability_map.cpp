@@ -79,7 +79,7 @@ std::string stability_text(const StabilityRequest& request) {
   const auto cell = [](double value) { return std::isfinite(value) ? fmt::format("{:+.2e}", value) : "-"; };
   add("direction", "longitudinal", "transverse", "relative");
   const Dispersion dispersion(lattice, request.kernel, h, request.gamma);
-  WaveModes least = no_waves();
+  WaveModes least;
   for (const WaveDirection& direction : wave_directions(lattice.dimension)) {
     const WaveModes slowest = slowest_waves(dispersion, direction.k, 400);
     add(direction.name, cell(slowest.longitudinal), cell(slowest.transverse), cell(slowest.relative));
