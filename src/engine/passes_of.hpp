@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "src/engine/diagnostics.hpp"
 #include "src/engine/error_fields.hpp"
 #include "src/engine/error_loops.hpp"
@@ -100,7 +102,7 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
       using Sums = std::remove_const_t<decltype(sums)>;
       const HostRows rows(host, sums.data, sums.stride);
       for (Field& field : shown_in_rates(rows, field_places<S::dimension, typename Sums::Fields>))
-        fields.push_back(std::move(field));
+        if (std::ranges::find(fields, field.name, &Field::name) == fields.end()) fields.push_back(std::move(field));
       if (split)
         for (Field& field : shares(rows, shares_of_terms<typename S::RateTerms::List, Sums>()))
           fields.push_back(std::move(field));

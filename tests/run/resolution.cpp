@@ -2,6 +2,8 @@
 // that belong together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/snapshot_writer.hpp"
@@ -64,6 +66,25 @@ TEST_P(Resolution, IsTheSameForCommandLineLibraryStudySceneFileAndContinuedSnaps
   const std::filesystem::path file = folder.path() / "snap.hdf5";
   write_snapshot(file, make_simulation(gas, command_line)->snapshot(), snapshot_info(*problem.scene, problem.settings));
   expect_equal(settings_of(file.string(), {{"time.end", "1"}}), command_line, "continued snapshot");
+}
+
+TEST_P(Resolution, RatesNameEveryFieldOnce) {
+  const auto& [scheme, D] = GetParam();
+  const Problem problem = resolve_problem("uniform", overrides_of({{"sph.scheme", scheme},
+                                                                   {"scene.dimension", std::to_string(D)},
+                                                                   {"scene.n", D == 1 ? "64" : "12"}}));
+  SimulationSettings settings = simulation_settings(problem.settings);
+  settings.precision = "double";
+  settings.all_terms = true;
+  const auto run = make_simulation(initial_condition(*problem.scene, problem.settings), settings);
+  for (const bool split : {false, true}) {
+    std::vector<std::string> names;
+    for (const Field& field : run->rates(split)) names.push_back(field.name);
+    std::ranges::sort(names);
+    const auto twice = std::ranges::adjacent_find(names);
+    EXPECT_TRUE(twice == names.end()) << *twice;
+    EXPECT_TRUE(std::ranges::binary_search(names, "Acceleration"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryScheme, Resolution,
