@@ -127,7 +127,10 @@ void add_rates(CLI::App& root, Options& o) {
       "  sphk rates snap_0003.hdf5 --scheme gadget2 --kernel cs --neighbours 42 --out rates.hdf5");
   computes(app, o, [&o] {
     o.rates.overrides = overrides(o);
-    return rates_command(o.rates);
+    const RatesResult result = rates(o.rates);
+    for (const std::string& warning : result.warnings) fmt::print("note: {}\n", warning);
+    fmt::print("{}: {} fields of {} particles\n", o.rates.out.string(), result.fields, result.particles);
+    return ExitCode::done;
   });
 }
 

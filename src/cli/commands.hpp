@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "src/run/failure.hpp"
-#include "src/run/rates.hpp"
 #include "src/run/run.hpp"
 
 namespace sphk {
@@ -21,7 +20,6 @@ struct RunOptions {
 int run_command(const RunOptions& options);
 int list_command();
 int show_command(const std::string& what, const std::vector<Override>& overrides);
-int rates_command(const RatesRequest& request);
 /// Two studies, point by point: ratios of errors and CPU seconds, and what got worse. Files, or the folders of studies.
 int study_compare_command(const std::filesystem::path& before, const std::filesystem::path& after,
                           const std::string& norm);

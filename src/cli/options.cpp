@@ -47,12 +47,12 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std:
   return app.add_option_function<std::string>(name, take, doc);
 }
 
+void repeats(CLI::Option* option, const std::string& type) {
+  option->type_name(type)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_sets(CLI::App& app, Options& o, const std::string& doc) {
-  app.add_option("--set", o.sets, doc + "; once for each key")
-      ->type_name("KEY=VALUE")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  repeats(app.add_option("--set", o.sets, doc + "; once for each key"), "KEY=VALUE");
 }
 
 void add_threads(CLI::App& app, int& threads) {

@@ -51,6 +51,8 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
 /// An option with a path; as if it were not there where that is empty.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
                       const std::string& doc);
+/// Lets an option come often, with one value each.
+void repeats(CLI::Option* option, const std::string& type);
 /// --set, as often as there are keys; and --threads.
 void add_sets(CLI::App& app, Options& o, const std::string& doc);
 void add_threads(CLI::App& app, int& threads);

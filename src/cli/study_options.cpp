@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "src/engine/errors.hpp"
@@ -13,18 +14,15 @@ namespace sphk {
 
 namespace {
 
+/// Values with commas between them.
+CLI::Option* lists(CLI::Option* option) {
+  return option->delimiter(',')->type_name("A,B,...")->expected(1, 1000)->allow_extra_args(false);
+}
+
 /// An option whose values, with commas between them, are an axis of a study.
 void axis(CLI::App& app, StudyRequest& study, const std::string& name, const std::string& key, const std::string& doc) {
-  app.add_option_function<std::vector<std::string>>(
-         name,
-         [&study, key](const std::vector<std::string>& values) {
-           study.axes.push_back({key, values});
-         },
-         fmt::format("{} (key {})", doc, key))
-      ->delimiter(',')
-      ->type_name("A,B,...")
-      ->expected(1, 1000)
-      ->allow_extra_args(false);
+  const auto take = [&study, key](const std::vector<std::string>& values) { study.axes.push_back({key, values}); };
+  lists(app.add_option_function<std::vector<std::string>>(name, take, fmt::format("{} (key {})", doc, key)));
 }
 
 /// KEY=A,B,... as an axis.
@@ -53,16 +51,11 @@ void add_axes(CLI::App& app, StudyRequest& study) {
   axis(app, study, "--precision", "sph.precision", "pair arithmetic");
   axis(app, study, "--cfl", "time.courant", "Courant numbers");
   axis(app, study, "-n,--resolution", resolution_key, "resolutions");
-  app.add_option_function<std::vector<std::string>>(
-         "--vary",
-         [&study](const std::vector<std::string>& texts) {
-           for (const auto& text : texts) study.axes.push_back(axis_of(text));
-         },
-         "any other key and its values")
-      ->type_name("KEY=A,B,...")
-      ->type_size(1)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto take = [&study](const std::vector<std::string>& texts) {
+    std::ranges::transform(texts, std::back_inserter(study.axes), axis_of);
+  };
+  repeats(app.add_option_function<std::vector<std::string>>("--vary", take, "any other key and its values"),
+          "KEY=A,B,...");
 }
 
 void add_options(CLI::App& app, Options& o) {
@@ -78,11 +71,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--norm", study.norm, "the quantity whose error counts: v, rho, P, or a measure; default: v")
       ->type_name("FIELD");
   app.add_option("--target", study.target, "an error: how long until it is reached?")->check(CLI::PositiveNumber);
-  app.add_option("--budget", study.budgets, "CPU seconds: which method is best with them?")
-      ->delimiter(',')
-      ->type_name("A,B,...")
-      ->expected(1, 1000)
-      ->allow_extra_args(false)
+  lists(app.add_option("--budget", study.budgets, "CPU seconds: which method is best with them?"))
       ->check(CLI::PositiveNumber);
   app.add_option("--others", study.others, "points of other engines, as CSV: engine,setting,error,cpu_seconds,machine")
       ->type_name("FILE.csv");

@@ -22,43 +22,30 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array names{"checkpoint_a.hdf5", "checkpoint_b.hdf5"};
 
-std::string to_text(const LoopState& loop, const OutputState& output, const Box& box) {
-  return Json{{"begin", loop.begin},
-              {"steps", loop.steps},
-              {"wall", loop.wall},
-              {"cpu", loop.cpu},
-              {"joules", loop.joules ? Json(*loop.joules) : Json(nullptr)},
-              {"next_snapshot", loop.next_snapshot},
-              {"next_row", loop.next_row},
-              {"next_heating", loop.next_heating},
-              {"snapshot_times", output.snapshot_times},
-              {"history_bytes", output.history_bytes},
-              {"last_step", output.last_step},
-              {"output_seconds", output.seconds},
-              {"box_lower", box.lower},
-              {"box_size", box.size},
-              {"box_periodic", box.periodic}}
-      .dump();
+/// Calls `each` with every number that a checkpoint holds beside the simulation, and its name there.
+void visit(auto&& each, auto& loop, auto& output, auto& box) {
+  each("begin", loop.begin), each("steps", loop.steps), each("wall", loop.wall), each("cpu", loop.cpu);
+  each("joules", loop.joules);
+  each("next_snapshot", loop.next_snapshot), each("next_row", loop.next_row);
+  each("next_heating", loop.next_heating);
+  each("snapshot_times", output.snapshot_times), each("history_bytes", output.history_bytes);
+  each("last_step", output.last_step), each("output_seconds", output.seconds);
+  each("box_lower", box.lower), each("box_size", box.size), each("box_periodic", box.periodic);
 }
 
-SavedRun from_text(const std::string& text) {
-  const Json json = Json::parse(text);
-  SavedRun run;
-  run.loop = {.begin = json["begin"],
-              .steps = json["steps"],
-              .wall = json["wall"],
-              .cpu = json["cpu"],
-              .joules = json["joules"].is_null() ? std::nullopt : std::optional<double>(json["joules"]),
-              .next_snapshot = json["next_snapshot"],
-              .next_row = json["next_row"],
-              .next_heating = json["next_heating"]};
-  run.output = {.snapshot_times = json["snapshot_times"],
-                .history_bytes = json["history_bytes"],
-                .last_step = json["last_step"],
-                .seconds = json["output_seconds"]};
-  run.box = {json["box_lower"], json["box_size"], json["box_periodic"]};
-  return run;
-}
+struct Writer {
+  Json json;
+  void operator()(const char* name, const auto& value) { json[name] = value; }
+  void operator()(const char* name, const std::optional<double>& value) { json[name] = value ? Json(*value) : Json(); }
+};
+
+struct Reader {
+  const Json json;
+  void operator()(const char* name, auto& value) const { json.at(name).get_to(value); }
+  void operator()(const char* name, std::optional<double>& value) const {
+    if (!json.at(name).is_null()) value = json.at(name).get<double>();
+  }
+};
 
 /// Throws InputError where the scene differs, or a key that decides what is computed.
 void require_same_run(const fs::path& path, const Scene& scene, const Settings& settings) {
@@ -87,8 +74,9 @@ Checkpoints::Checkpoints(fs::path folder, const fs::path& last)
 void Checkpoints::write(const Simulation& simulation, const LoopState& loop, const OutputState& output, const Box& box,
                         const SnapshotInfo& info) {
   const Stopwatch watch;
-  write_checkpoint(folder_ / names[next_], {simulation.save(), to_text(loop, output, box)}, simulation.snapshot(),
-                   info);
+  Writer text;
+  visit(text, loop, output, box);
+  write_checkpoint(folder_ / names[next_], {simulation.save(), text.json.dump()}, simulation.snapshot(), info);
   next_ = 1 - next_;
   seconds_ = watch.wall();
 }
@@ -110,7 +98,8 @@ SavedRun newest_checkpoint(const fs::path& folder, const Scene& scene, const Set
     try {
       const Checkpoint checkpoint = read_checkpoint(file);
       require_same_run(file, scene, settings);
-      SavedRun run = from_text(checkpoint.loop);
+      SavedRun run;
+      visit(Reader{Json::parse(checkpoint.loop)}, run.loop, run.output, run.box);
       if (newest && newest->loop.steps >= run.loop.steps) continue;
       run.file = file;
       run.simulation = checkpoint.state;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
@@ -21,9 +22,11 @@ using Json = nlohmann::ordered_json;
 
 /// The snapshots to draw and the folder of their run.
 struct Targets {
-  fs::path folder;
+  fs::path what, folder;  ///< as the user says; of the run
   std::vector<fs::path> snapshots;
   bool whole_run = false;
+
+  fs::path history() const { return folder / "history.csv"; }
 };
 
 std::vector<fs::path> snapshots_in(const fs::path& folder) {
@@ -37,11 +40,11 @@ std::vector<fs::path> snapshots_in(const fs::path& folder) {
 }
 
 Targets find_targets(const fs::path& what, bool every) {
-  if (fs::is_regular_file(what)) return {.folder = what.parent_path(), .snapshots = {what}, .whole_run = false};
+  if (fs::is_regular_file(what)) return {what, what.parent_path(), {what}, false};
   if (!fs::is_directory(what))
     throw InputError(
         fmt::format("{} is neither a run's folder nor a snapshot; `sphk run SCENE` makes a folder", what.string()));
-  Targets targets{.folder = what, .snapshots = snapshots_in(what), .whole_run = true};
+  Targets targets{what, what, snapshots_in(what), true};
   if (targets.snapshots.empty())
     throw InputError(
         fmt::format("{} holds no snapshots (snap_0000.hdf5, ...); is it the folder of a run?", what.string()));
@@ -65,12 +68,6 @@ fs::path figure_name(const PlotRequest& request, const Targets& targets, const f
   return folder / snapshot.filename().replace_extension(".png");
 }
 
-/// The file of the only figure; without one an error that begins with `what` is drawn.
-std::string figure_of(const PlotRequest& request, const std::string& what) {
-  if (!is_figure(request.out)) throw InputError(what + ": name it with --out FILE.png");
-  return request.out->string();
-}
-
 std::optional<Problem> problem_of(const Targets& targets) {
   const fs::path scene_file = targets.folder / "scene.used.toml";
   if (!fs::exists(scene_file)) return std::nullopt;
@@ -85,74 +82,53 @@ Json references_of(const Problem& problem) {
   return references;
 }
 
-/// The density maps of several runs or snapshots, on one scale, in one figure.
-void plot_side_by_side(const PlotRequest& request) {
-  const std::string out = figure_of(request, "several runs go into one figure, each as a density map");
-  if (request.every) throw InputError("--all draws every snapshot of one run; several runs are given");
-  Json maps = Json::array();
-  for (const std::string& what : request.what) {
-    const Targets targets = find_targets(what, false);
-    maps.push_back(describe_snapshot(targets.snapshots.back(), problem_of(targets), false));
-    if (maps.back()["dimension"] == 1)
-      throw InputError(fmt::format("{} is one-dimensional and has no density map", what));
-  }
-  run_plot_script(Json{{"beside", maps}, {"out", out}}.dump());
+/// A density map; `why_not` ends the sentence on gas in one dimension, which has none.
+Json map_of(const Targets& targets, const std::string& why_not) {
+  Json map = describe_snapshot(targets.snapshots.back(), problem_of(targets), false);
+  if (map["dimension"] == 1) throw InputError(fmt::format("{} is one-dimensional{}", targets.what.string(), why_not));
+  return map;
 }
 
-/// How well the particles of runs sample their kernels, in one figure.
-void plot_errors(const PlotRequest& request) {
-  const std::string out = figure_of(request, "--errors draws one figure for all runs");
-  Json runs = Json::array();
-  for (const std::string& what : request.what) {
-    const Targets targets = find_targets(what, false);
-    const fs::path& snapshot = targets.snapshots.back();
-    if (!hdf5::File::open(snapshot).group("PartType0").has("E0"))
-      throw InputError(fmt::format("{} holds no E0: run with --set output.errors=true", snapshot.string()));
-    runs.push_back(describe_snapshot(snapshot, problem_of(targets), false));
-    if (runs.back()["dimension"] == 1)
-      throw InputError(fmt::format("{} is one-dimensional: --errors draws maps and lines along y", what));
-  }
-  run_plot_script(Json{{"errors", runs}, {"out", out}}.dump());
+/// How well the particles of a run sample their kernels.
+Json errors_of(const Targets& targets) {
+  const fs::path& snapshot = targets.snapshots.back();
+  if (!hdf5::File::open(snapshot).group("PartType0").has("E0"))
+    throw InputError(fmt::format("{} holds no E0: run with --set output.errors=true", snapshot.string()));
+  return map_of(targets, ": --errors draws maps and lines along y");
 }
 
-/// One field of several runs against the exact solution, a panel each.
-void plot_profiles(const PlotRequest& request) {
-  const std::string out = figure_of(request, "--profile draws one figure for all runs");
-  Json runs = Json::array();
-  for (const std::string& what : request.what) {
-    const Targets targets = find_targets(what, false);
-    const auto problem = problem_of(targets);
-    Json item = describe_snapshot(targets.snapshots.back(), problem, request.exact);
-    const fs::path history = targets.folder / "history.csv";
-    item["history"] = fs::exists(history) ? Json(history.string()) : Json(nullptr);
-    item["label"] = targets.folder.filename().string();
-    if (problem) {
-      const SimulationSettings s = simulation_settings(problem->settings);
-      item["label"] = fmt::format("{} {} {:g}", s.scheme, s.kernel, s.neighbours);
-    }
-    runs.push_back(item);
+/// A run against the exact solution.
+Json profile_of(const Targets& targets, bool exact) {
+  const auto problem = problem_of(targets);
+  Json item = describe_snapshot(targets.snapshots.back(), problem, exact);
+  item["history"] = fs::exists(targets.history()) ? Json(targets.history().string()) : Json(nullptr);
+  item["label"] = targets.folder.filename().string();
+  if (problem) {
+    const SimulationSettings s = simulation_settings(problem->settings);
+    item["label"] = fmt::format("{} {} {:g}", s.scheme, s.kernel, s.neighbours);
   }
-  run_plot_script(Json{{"profiles", runs}, {"field", request.profile}, {"out", out}}.dump());
+  return item;
 }
 
-/// How well one or several runs conserve, in one figure.
-void plot_conservation(const PlotRequest& request) {
-  const std::string out = figure_of(request, "--conservation draws one figure for all runs");
-  Json runs = Json::array();
-  for (const std::string& what : request.what) {
-    const Targets targets = find_targets(what, false);
-    const fs::path history = targets.folder / "history.csv";
-    if (!fs::exists(history))
-      throw InputError(fmt::format("{} holds no history.csv; is it the folder of a run?", targets.folder.string()));
-    const auto problem = problem_of(targets);
-    std::string title = targets.folder.filename().string();
-    if (problem) {
-      const SimulationSettings s = simulation_settings(problem->settings);
-      title = fmt::format("{}, {} ({}) {} {:g}", problem->scene->name(), s.scheme, s.energy, s.kernel, s.neighbours);
-    }
-    runs.push_back({{"history", history.string()}, {"title", title}});
+/// How well a run conserves.
+Json conservation_of(const Targets& targets) {
+  if (!fs::exists(targets.history()))
+    throw InputError(fmt::format("{} holds no history.csv; is it the folder of a run?", targets.folder.string()));
+  std::string title = targets.folder.filename().string();
+  if (const auto problem = problem_of(targets)) {
+    const SimulationSettings s = simulation_settings(problem->settings);
+    title = fmt::format("{}, {} ({}) {} {:g}", problem->scene->name(), s.scheme, s.energy, s.kernel, s.neighbours);
   }
-  run_plot_script(Json{{"conservation", runs}, {"out", out}}.dump());
+  return {{"history", targets.history().string()}, {"title", title}};
+}
+
+/// One figure of all runs, which the script calls `kind`; `draws` begins the error where it has no name.
+void plot_together(const PlotRequest& request, const std::string& kind, const std::string& draws,
+                   const std::function<Json(const Targets&)>& item_of) {
+  if (!is_figure(request.out)) throw InputError(draws + ": name it with --out FILE.png");
+  Json runs = Json::array();
+  for (const std::string& what : request.what) runs.push_back(item_of(find_targets(what, false)));
+  run_plot_script(Json{{kind, runs}, {"field", request.profile}, {"out", request.out->string()}}.dump());
 }
 
 /// The snapshots of one run or file, a figure each, and its history.
@@ -165,22 +141,28 @@ void plot_run(const PlotRequest& request) {
     item["out"] = figure_name(request, targets, snapshot).string();
     work["snapshots"].push_back(std::move(item));
   }
-  const fs::path history = targets.folder / "history.csv";
-  if (fs::exists(history)) work["history"] = history.string();
+  const bool there = fs::exists(targets.history());
+  if (there) work["history"] = targets.history().string();
   work["references"] = problem ? references_of(*problem) : Json::array();
-  const bool draw_history = targets.whole_run && fs::exists(history) && !is_figure(request.out);
-  if (draw_history) work["history_out"] = (request.out.value_or(targets.folder) / "history.png").string();
+  if (there && targets.whole_run && !is_figure(request.out))
+    work["history_out"] = (request.out.value_or(targets.folder) / "history.png").string();
   run_plot_script(work.dump());
 }
 
 }  // namespace
 
 void plot(const PlotRequest& request) {
-  if (request.conservation) return plot_conservation(request);
-  if (!request.profile.empty()) return plot_profiles(request);
-  if (request.errors) return plot_errors(request);
-  if (request.what.size() > 1) return plot_side_by_side(request);
-  plot_run(request);
+  if (request.conservation)
+    return plot_together(request, "conservation", "--conservation draws one figure for all runs", conservation_of);
+  if (!request.profile.empty())
+    return plot_together(request, "profiles", "--profile draws one figure for all runs",
+                         [&](const Targets& targets) { return profile_of(targets, request.exact); });
+  if (request.errors) return plot_together(request, "errors", "--errors draws one figure for all runs", errors_of);
+  if (request.what.size() == 1) return plot_run(request);
+  if (request.every && is_figure(request.out))
+    throw InputError("--all draws every snapshot of one run; several runs are given");
+  plot_together(request, "beside", "several runs go into one figure, each as a density map",
+                [](const Targets& targets) { return map_of(targets, " and has no density map"); });
 }
 
 }  // namespace sphk

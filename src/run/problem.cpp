@@ -16,10 +16,6 @@ namespace sphk {
 
 namespace {
 
-bool is_scene_file(const std::string& what) {
-  return what.ends_with(".toml");
-}
-
 bool is_initial_condition(const std::string& what) {
   return what.ends_with(".hdf5") || what.ends_with(".h5") || what.ends_with(".hdf") ||
          what.find('/') != std::string::npos || std::filesystem::is_regular_file(what);
@@ -139,7 +135,7 @@ void adapt(Problem& problem) {
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides) {
   Problem problem;
   std::vector<std::string> problems;
-  if (is_scene_file(what)) {
+  if (what.ends_with(".toml")) {
     const SceneFile file(what);
     take_scene_file(problem, file);
     problems = file.apply(problem.settings);

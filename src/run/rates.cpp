@@ -16,20 +16,19 @@ namespace sphk {
 
 namespace {
 
-/// Row of each particle of the input in an order by id: the simulation's fields are sorted by id.
-std::vector<std::size_t> rank_by_id(const std::vector<std::uint64_t>& ids) {
-  std::vector<std::size_t> order(ids.size()), rank(ids.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t row) { return ids[row]; });
-  for (std::size_t place = 0; place < order.size(); ++place) rank[order[place]] = place;
-  return rank;
+/// Rows of the input by rising id, as the simulation has its fields.
+std::vector<std::size_t> rows_by_id(const std::vector<std::uint64_t>& ids) {
+  std::vector<std::size_t> rows(ids.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::ranges::sort(rows, {}, [&](std::size_t row) { return ids[row]; });
+  return rows;
 }
 
-Field in_input_order(const Field& field, const std::vector<std::size_t>& rank) {
+Field in_input_order(const Field& field, const std::vector<std::size_t>& rows) {
   Field sorted = field;
   const auto width = static_cast<std::size_t>(field.components);
-  for (std::size_t row = 0; row < rank.size(); ++row)
-    for (std::size_t k = 0; k < width; ++k) sorted.values[row * width + k] = field.values[rank[row] * width + k];
+  for (std::size_t place = 0; place < rows.size(); ++place)
+    std::copy_n(&field.values[place * width], width, &sorted.values[rows[place] * width]);
   return sorted;
 }
 
@@ -71,9 +70,9 @@ RatesResult rates(const RatesRequest& request) {
   SimulationSettings settings = simulation_settings(problem.settings);
   settings.all_terms = true;
   const auto simulation = make_simulation(particles, settings);
-  const auto rank = rank_by_id(particles.id);
+  const auto rows = rows_by_id(particles.id);
   std::vector<Field> fields;
-  for (const Field& field : simulation->rates(request.split)) fields.push_back(in_input_order(field, rank));
+  for (const Field& field : simulation->rates(request.split)) fields.push_back(in_input_order(field, rows));
   const double gamma = problem.settings.real("sph.gamma");
   write_fields(request.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
   return {.fields = fields.size(), .particles = particles.size(), .warnings = simulation->warnings()};

@@ -167,9 +167,8 @@ RunResult run(const RunRequest& request) {
   record.setup_seconds = setup.wall();
 
   if (request.stop_on_signals) catch_stop_signals();
-  RunOutput output = start.saved
-                         ? RunOutput(*request.resume, scene, settings, start.saved->output)
-                         : RunOutput(make_run_folder(scene.name(), request.out, request.overwrite), scene, settings);
+  RunOutput output(start.saved ? *request.resume : make_run_folder(scene.name(), request.out, request.overwrite), scene,
+                   settings, start.saved ? &start.saved->output : nullptr);
   Checkpoints checkpoints(output.folder(), start.saved ? start.saved->file : fs::path());
   plan.rows = output.deviations().times(start.begin, plan.end);
   plan.heatings = scene.heatings(settings);

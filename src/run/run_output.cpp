@@ -51,26 +51,22 @@ SnapshotInfo snapshot_info(const Scene& scene, const Settings& settings) {
   return info;
 }
 
-RunOutput::RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings)
-    : RunOutput(folder, scene, settings, History(folder / "history.csv")) {
-  write_atomically(folder_ / "scene.used.toml", info_.scene_text);
-}
-
-RunOutput::RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings, History history)
+RunOutput::RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings,
+                     const OutputState* reached)
     : folder_(folder),
       scene_(scene),
       settings_(settings),
       info_(snapshot_info(scene, settings)),
       compression_(settings.text("output.compression") == "gzip" ? Compression::gzip : Compression::none),
-      history_(std::move(history)),
-      deviations_(scene.references(settings)) {}
-
-RunOutput::RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings,
-                     const OutputState& reached)
-    : RunOutput(folder, scene, settings, History(folder / "history.csv", reached.history_bytes)) {
-  last_step_ = reached.last_step;
-  seconds_ = reached.seconds;
-  for (const double time : reached.snapshot_times) series_.push_back({snapshot_name(series_.size()), time});
+      history_(reached ? History(folder / "history.csv", reached->history_bytes) : History(folder / "history.csv")),
+      deviations_(scene.references(settings)) {
+  if (!reached) {
+    write_atomically(folder_ / "scene.used.toml", info_.scene_text);
+    return;
+  }
+  last_step_ = reached->last_step;
+  seconds_ = reached->seconds;
+  for (const double time : reached->snapshot_times) series_.push_back({snapshot_name(series_.size()), time});
   const std::vector<HistoryRow> rows = read_history(folder_ / "history.csv");
   for (const HistoryRow& row : rows) deviations_.add(row.at("time"), {row.begin(), row.end()});
   if (!rows.empty()) start_ = totals_of(rows[0]);

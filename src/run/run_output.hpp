@@ -27,12 +27,10 @@ struct OutputState {
 /// What a run writes at its output times: snapshots, their series file and the rows of history.csv.
 class RunOutput {
  public:
-  /// `scene` and `settings` must outlive this. Writes scene.used.toml at once.
-  RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings);
-  /// Goes on in a folder where that much is written already; rows after it are taken back. Throws InputError where the
-  /// history has been lost.
+  /// `scene` and `settings` must outlive this. Writes scene.used.toml at once; or goes on in a folder where so much as
+  /// `reached` says is written already, and takes later rows back. Throws InputError where the history has been lost.
   RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings,
-            const OutputState& reached);
+            const OutputState* reached = nullptr);
 
   OutputState state() const;
   const SnapshotInfo& info() const { return info_; }
@@ -58,7 +56,6 @@ class RunOutput {
   const std::string& last_snapshot() const { return series_.back().name; }
 
  private:
-  RunOutput(const std::filesystem::path& folder, const Scene& scene, const Settings& settings, History history);
   void add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures);
 
   std::filesystem::path folder_;

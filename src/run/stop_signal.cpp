@@ -28,6 +28,7 @@ void handle(int signal, void (*handler)(int), int flags) {
 }  // namespace
 
 void catch_stop_signals() {
+  stop_flag = 0;
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) handle(signal, ask_for_stop, static_cast<int>(SA_RESETHAND));
   handle(SIGUSR2, ask_for_checkpoint, 0);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -47,44 +48,36 @@ std::size_t skipped(std::string_view text) {
   return text.size();
 }
 
-class Guard {
- public:
-  Guard(const std::string& path, std::string_view text) : path_(path), text_(text) {}
-
-  void check_characters() const {
-    for (std::size_t k = 0, length = 0; k < text_.size(); k += length) {
-      length = utf8_length(text_.substr(k));
-      if (length == 0) refuse(k, "this is not UTF-8 text; save the file as UTF-8");
-    }
-  }
-
-  void check_nesting() const {
-    int brackets = 0, dots = 0;
-    for (std::size_t k = 0; k < text_.size(); ++k) {
-      if (const std::size_t length = skipped(text_.substr(k))) {
-        k += length - 1;
-        continue;
-      }
-      const char c = text_[k];
-      if (c == '[' || c == '{') ++brackets;
-      if (c == ']' || c == '}') --brackets;
-      if (c == '.') ++dots;
-      if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
-      if (brackets > max_brackets) refuse(k, "brackets are nested too deeply here; close those before");
-      if (dots > max_dots) refuse(k, "a name has too many dots; name the key as in `sphk show SCENE`");
-    }
-  }
-
- private:
-  [[noreturn]] void refuse(std::size_t at, const char* problem) const {
-    const std::string_view before = text_.substr(0, at);
-    const auto line = 1 + std::ranges::count(before, '\n');
-    throw InputError(fmt::format("{}:{}:{}: {}", path_, line, at - (before.rfind('\n') + 1) + 1, problem));
-  }
-
-  const std::string& path_;
-  std::string_view text_;
+/// Where in a text something is wrong, and what.
+struct Fault {
+  std::size_t at;
+  const char* problem;
 };
+
+std::optional<Fault> wrong_character(std::string_view text) {
+  for (std::size_t k = 0, length = 0; k < text.size(); k += length)
+    if (length = utf8_length(text.substr(k)); length == 0)
+      return Fault{k, "this is not UTF-8 text; save the file as UTF-8"};
+  return std::nullopt;
+}
+
+std::optional<Fault> deep_nesting(std::string_view text) {
+  int brackets = 0, dots = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (const std::size_t length = skipped(text.substr(k))) {
+      k += length - 1;
+      continue;
+    }
+    const char c = text[k];
+    if (c == '[' || c == '{') ++brackets;
+    if (c == ']' || c == '}') --brackets;
+    if (c == '.') ++dots;
+    if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
+    if (brackets > max_brackets) return Fault{k, "brackets are nested too deeply here; close those before"};
+    if (dots > max_dots) return Fault{k, "a name has too many dots; name the key as in `sphk show SCENE`"};
+  }
+  return std::nullopt;
+}
 
 std::string text_of_file(const std::filesystem::path& path, const std::string& what) {
   try {
@@ -100,9 +93,12 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& w
 toml::value parse_toml(const std::filesystem::path& path, const std::string& what) {
   const std::string text = text_of_file(path, what);
   const std::string name = path.string();
-  const Guard guard(name, text);
-  guard.check_characters();
-  guard.check_nesting();
+  for (const auto find_fault : {wrong_character, deep_nesting})
+    if (const auto fault = find_fault(text)) {
+      const std::string_view before(text.data(), fault->at);
+      throw InputError(fmt::format("{}:{}:{}: {}", name, 1 + std::ranges::count(before, '\n'),
+                                   fault->at - (before.rfind('\n') + 1) + 1, fault->problem));
+    }
   try {
     std::istringstream stream(text);
     return toml::parse(stream, name);

@@ -117,12 +117,9 @@ std::vector<ExtremeCase> read_extremes(const fs::path& path, const CheckKeys& ch
 }
 
 std::vector<ExtremeCase> extremes_in(const fs::path& folder, const CheckKeys& check) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::ranges::sort(files);
   std::vector<ExtremeCase> cases;
-  for (const fs::path& file : files) std::ranges::move(read_extremes(file, check), std::back_inserter(cases));
+  for (const fs::path& file : toml_files_in(folder))
+    std::ranges::move(read_extremes(file, check), std::back_inserter(cases));
   return cases;
 }
 

@@ -107,10 +107,8 @@ StudyPlan read_study_file(const fs::path& path) {
 
 std::vector<StudyPlan> study_files_in(const fs::path& folder) {
   std::vector<StudyPlan> plans;
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator(folder, missing))
-    if (entry.path().extension() == ".toml") plans.push_back(read_study_file(entry.path()));
-  std::ranges::sort(plans, {}, &StudyPlan::name);
+  if (fs::is_directory(folder))
+    std::ranges::transform(toml_files_in(folder), std::back_inserter(plans), read_study_file);
   return plans;
 }
 

@@ -14,7 +14,6 @@
 #include "src/run/stop_signal.hpp"
 #include "src/study/child.hpp"
 #include "src/study/others.hpp"
-#include "src/study/study_files.hpp"
 #include "src/study/study_progress.hpp"
 #include "src/study/study_record.hpp"
 #include "src/study/study_report.hpp"
@@ -94,18 +93,114 @@ class Study {
   }
 
   /// Tells how many points are to run and about how long that takes.
-  void announce();
+  void announce() {
+    double expected = 0;
+    for (const StudyPoint& point : plan_.points) {
+      if (record_.has(point) || stop_requested()) continue;
+      expected_[point.name()] = plan_.repeat * trial(point);
+      expected += expected_[point.name()];
+    }
+    fmt::print("{} points of {}, {} of them to run, {} in {}{}\n", plan_.points.size(), plan_.scene, expected_.size(),
+               plan_.repeat == 1 ? "once each" : fmt::format("{} times each", plan_.repeat), folder_.string(),
+               expected_.empty() ? "" : "; about " + duration_text(expected));
+    std::fflush(stdout);
+  }
+
   /// Runs what is not in the record, until so many seconds are over or a stop is asked for.
-  void run(double max_seconds);
+  void run(double max_seconds) {
+    const Stopwatch watch;
+    StudyProgress progress(plan_.points.size(), expected_);
+    for (std::size_t k = 0; k < plan_.points.size(); ++k) {
+      const StudyPoint& point = plan_.points[k];
+      if (record_.has(point)) continue;
+      if (max_seconds > 0 && watch.wall() > max_seconds) {
+        fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", max_seconds);
+        return;
+      }
+      progress.begin(k, point);
+      run_point(point, progress);
+      if (!record_.has(point)) {
+        progress.end("stopped");
+        fmt::print("stopped; the same command goes on where it was\n");
+        return;
+      }
+      const StudyResult result = record_.result(point, plan_.norm);
+      progress.end(result.valid() ? fmt::format("L1({}) {:.4g}", plan_.norm, result.error)
+                                  : "failed: " + result.failure);
+    }
+  }
+
   /// Table, answers, CSV, figure, and the report where one is asked for.
-  void conclude(const std::optional<fs::path>& report);
+  void conclude(const std::optional<fs::path>& report) {
+    const std::vector<StudyResult> results = this->results();
+    const std::vector<OtherPoint> others = plan_.others.empty() ? std::vector<OtherPoint>{} : read_others(plan_.others);
+    const StudyAnswers answers = answers_of(plan_, results, others);
+    fmt::print("\n{}", answers.text());
+    record_.json["front"] = names_on_front(results);
+    record_.save();
+    write_table(folder_ / "study.csv", results);
+    draw_study(folder_ / "study.png", plan_, record_.json["machine"], results, others);
+    if (report) {
+      write_atomically(*report, report_page(plan_, answers, record_, folder_ / "study.png"));
+      fmt::print("{}\n", report->string());
+    }
+  }
 
  private:
-  std::vector<std::string> arguments(const StudyPoint& point, const fs::path& folder) const;
+  std::vector<std::string> arguments(const StudyPoint& point, const fs::path& folder) const {
+    KeyTexts keys = keys_of(plan_, point);
+    keys.insert(keys.begin(), {"output.snapshots", "1"});
+    return run_arguments(plan_.scene, keys, folder, threads_);
+  }
+
   /// A dry run: seconds that a run of the point will take by a trial of three steps, set-up included.
-  double trial(const StudyPoint& point) const;
-  void run_point(const StudyPoint& point, StudyProgress& progress);
-  std::vector<StudyResult> results() const;
+  double trial(const StudyPoint& point) const {
+    std::vector<std::string> words = arguments(point, folder_ / "trial");
+    words.push_back("--dry-run");
+    const fs::path log = folder_ / "trial.log";
+    const Stopwatch watch;
+    const int code = run_child(words, log);
+    const Json told = last_with("dry_run", log);
+    fs::remove(log);
+    return watch.wall() + (code == ExitCode::done ? told["dry_run"]["seconds"].get<double>() : 0);
+  }
+
+  /// Runs a point as often as asked, after a short trial that warms the machine up; what it found goes into the record.
+  void run_point(const StudyPoint& point, StudyProgress& progress) {
+    const fs::path folder = folder_ / "points" / point.name();
+    fs::create_directories(folder.parent_path());
+    const fs::path log = folder.string() + ".log";
+    Json runs = Json::array();
+    std::string failure;
+    double spent = 0;
+    trial(point);
+    for (int repeat = 0; repeat < plan_.repeat && failure.empty(); ++repeat) {
+      const Stopwatch watch;
+      const int code =
+          run_child(arguments(point, folder), log, [&] { progress.show((repeat + share_done(log)) / plan_.repeat); });
+      spent = watch.wall();
+      if (stop_requested() || code == ExitCode::stopped) return;
+      if (code == ExitCode::done)
+        runs.push_back(read_json(folder / "run.json"));
+      else
+        failure = reason_of(code, log);
+    }
+    if (fs::is_directory(folder))
+      for (const auto& file : fs::directory_iterator(folder))
+        if (file.path().extension() == ".hdf5") fs::remove(file.path());
+    Json keys = Json::object();
+    for (const auto& [key, value] : point.keys) keys[key] = value;
+    record_.json["points"][point.name()] = {
+        {"keys", keys}, {"failure", failure}, {"spent_seconds", spent}, {"runs", runs}};
+    record_.save();
+  }
+
+  std::vector<StudyResult> results() const {
+    std::vector<StudyResult> results;
+    for (const StudyPoint& point : plan_.points)
+      if (record_.has(point)) results.push_back(record_.result(point, plan_.norm));
+    return results;
+  }
 
   StudyPlan plan_;
   int threads_;
@@ -113,110 +208,6 @@ class Study {
   StudyRecord record_;
   std::map<std::string, double> expected_;  ///< seconds of the points to run, by name
 };
-
-std::vector<std::string> Study::arguments(const StudyPoint& point, const fs::path& folder) const {
-  KeyTexts keys = keys_of(plan_, point);
-  keys.insert(keys.begin(), {"output.snapshots", "1"});
-  return run_arguments(plan_.scene, keys, folder, threads_);
-}
-
-double Study::trial(const StudyPoint& point) const {
-  std::vector<std::string> words = arguments(point, folder_ / "trial");
-  words.push_back("--dry-run");
-  const fs::path log = folder_ / "trial.log";
-  const Stopwatch watch;
-  const int code = run_child(words, log);
-  const Json told = last_with("dry_run", log);
-  fs::remove(log);
-  return watch.wall() + (code == ExitCode::done ? told["dry_run"]["seconds"].get<double>() : 0);
-}
-
-void Study::announce() {
-  double expected = 0;
-  for (const StudyPoint& point : plan_.points) {
-    if (record_.has(point) || stop_requested()) continue;
-    expected_[point.name()] = plan_.repeat * trial(point);
-    expected += expected_[point.name()];
-  }
-  fmt::print("{} points of {}, {} of them to run, {} in {}{}\n", plan_.points.size(), plan_.scene, expected_.size(),
-             plan_.repeat == 1 ? "once each" : fmt::format("{} times each", plan_.repeat), folder_.string(),
-             expected_.empty() ? "" : "; about " + duration_text(expected));
-  std::fflush(stdout);
-}
-
-/// Runs a point as often as asked, after a short trial that warms the machine up; what it found goes into the record.
-void Study::run_point(const StudyPoint& point, StudyProgress& progress) {
-  const fs::path folder = folder_ / "points" / point.name();
-  fs::create_directories(folder.parent_path());
-  const fs::path log = folder.string() + ".log";
-  Json runs = Json::array();
-  std::string failure;
-  double spent = 0;
-  trial(point);
-  for (int repeat = 0; repeat < plan_.repeat && failure.empty(); ++repeat) {
-    const Stopwatch watch;
-    const int code =
-        run_child(arguments(point, folder), log, [&] { progress.show((repeat + share_done(log)) / plan_.repeat); });
-    spent = watch.wall();
-    if (stop_requested() || code == ExitCode::stopped) return;
-    if (code == ExitCode::done)
-      runs.push_back(read_json(folder / "run.json"));
-    else
-      failure = reason_of(code, log);
-  }
-  if (fs::is_directory(folder))
-    for (const auto& file : fs::directory_iterator(folder))
-      if (file.path().extension() == ".hdf5") fs::remove(file.path());
-  Json keys = Json::object();
-  for (const auto& [key, value] : point.keys) keys[key] = value;
-  record_.json["points"][point.name()] = {
-      {"keys", keys}, {"failure", failure}, {"spent_seconds", spent}, {"runs", runs}};
-  record_.save();
-}
-
-void Study::run(double max_seconds) {
-  const Stopwatch watch;
-  StudyProgress progress(plan_.points.size(), expected_);
-  for (std::size_t k = 0; k < plan_.points.size(); ++k) {
-    const StudyPoint& point = plan_.points[k];
-    if (record_.has(point)) continue;
-    if (max_seconds > 0 && watch.wall() > max_seconds) {
-      fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", max_seconds);
-      return;
-    }
-    progress.begin(k, point);
-    run_point(point, progress);
-    if (!record_.has(point)) {
-      progress.end("stopped");
-      fmt::print("stopped; the same command goes on where it was\n");
-      return;
-    }
-    const StudyResult result = record_.result(point, plan_.norm);
-    progress.end(result.valid() ? fmt::format("L1({}) {:.4g}", plan_.norm, result.error) : "failed: " + result.failure);
-  }
-}
-
-std::vector<StudyResult> Study::results() const {
-  std::vector<StudyResult> results;
-  for (const StudyPoint& point : plan_.points)
-    if (record_.has(point)) results.push_back(record_.result(point, plan_.norm));
-  return results;
-}
-
-void Study::conclude(const std::optional<fs::path>& report) {
-  const std::vector<StudyResult> results = this->results();
-  const std::vector<OtherPoint> others = plan_.others.empty() ? std::vector<OtherPoint>{} : read_others(plan_.others);
-  const StudyAnswers answers = answers_of(plan_, results, others);
-  fmt::print("\n{}", answers.text());
-  record_.json["front"] = names_on_front(results);
-  record_.save();
-  write_table(folder_ / "study.csv", results);
-  draw_study(folder_ / "study.png", plan_, record_.json["machine"], results, others);
-  if (report) {
-    write_atomically(*report, report_page(plan_, answers, record_, folder_ / "study.png"));
-    fmt::print("{}\n", report->string());
-  }
-}
 
 }  // namespace
 

@@ -22,6 +22,16 @@ struct StudyAnswers {
 StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& results,
                         const std::vector<OtherPoint>& others);
 
+/// Names of the points that no other beats both in error and in CPU seconds.
+std::vector<std::string> names_on_front(const std::vector<StudyResult>& results);
+
+/// study.csv: a line a point.
+void write_table(const std::filesystem::path& path, const std::vector<StudyResult>& results);
+
+/// study.png; nothing where no run came to its end.
+void draw_study(const std::filesystem::path& path, const StudyPlan& plan, const std::string& machine,
+                const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others);
+
 /// One self-contained HTML page with everything about a study.
 std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
                         const std::filesystem::path& figure);

@@ -54,4 +54,12 @@ std::vector<std::pair<std::string, toml::value>> keys_of(const toml::value& tabl
   return keys;
 }
 
+std::vector<std::filesystem::path> toml_files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files, {}, &std::filesystem::path::stem);
+  return files;
+}
+
 }  // namespace sphk

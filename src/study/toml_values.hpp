@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <toml.hpp>
 #include <utility>
@@ -18,5 +19,8 @@ double positive_number_of(const toml::value& value);
 
 /// A table's keys with their values, sections and all ("sph.kernel"), in the order of the file.
 std::vector<std::pair<std::string, toml::value>> keys_of(const toml::value& table, const std::string& prefix = "");
+
+/// TOML files of a folder by their names.
+std::vector<std::filesystem::path> toml_files_in(const std::filesystem::path& folder);
 
 }  // namespace sphk

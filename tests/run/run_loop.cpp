@@ -215,8 +215,7 @@ TEST_F(RunLoopTest, ACheckpointOfAnotherRunIsNotTaken) {
   }
 }
 
-// Last: the request to stop stays for the rest of the process.
-TEST_F(RunLoopTest, ZASignalFinishesTheStepAndLeavesACheckpoint) {
+TEST_F(RunLoopTest, ASignalFinishesTheStepAndLeavesACheckpoint) {
   catch_stop_signals();
   Clock clock(0.1);
   clock.stops_at = 4;
@@ -224,6 +223,8 @@ TEST_F(RunLoopTest, ZASignalFinishesTheStepAndLeavesACheckpoint) {
   EXPECT_EQ(steps, 4);
   EXPECT_EQ(times().size(), 1u) << "no output that a run without a stop would not have";
   EXPECT_EQ(newest_checkpoint(folder.path(), scene, settings).loop.steps, 4);
+  catch_stop_signals();
+  EXPECT_FALSE(stop_requested()) << "else no further run of this process would begin";
 }
 
 }  // namespace

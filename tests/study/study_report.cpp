@@ -1,4 +1,4 @@
-#include "src/study/study_files.hpp"
+#include "src/study/study_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,12 @@ StudyResult result(const char* n, double error, double cpu) {
   return r;
 }
 
-TEST(StudyFiles, NameThePointsOfTheFront) {
+TEST(StudyReport, NamesThePointsOfTheFront) {
   const std::vector<StudyResult> results{result("8", 0.4, 1), result("16", 0.5, 2), result("32", 0.1, 16)};
   EXPECT_EQ(names_on_front(results), (std::vector<std::string>{"scheme-sphs_n-8", "scheme-sphs_n-32"}));
 }
 
-TEST(StudyFiles, TheTableHasALineAPointWithItsFailure) {
+TEST(StudyReport, TheTableHasALineAPointWithItsFailure) {
   const TemporaryFolder folder;
   std::vector<StudyResult> results{result("8", 0.125, 1), result("16", 0, 2)};
   results[0].joules = 0.5;
