@@ -38,7 +38,7 @@ void print_scene(const Scene& scene) {
   try {
     const Settings settings = with_lattice(resolve_problem(scene.name(), {}).settings);
     const ParticleSet particles = scene.build(settings);
-    fmt::print(row, scene.name(), particles.size(), "~" + rough_text(rough_seconds(particles, settings)),
+    fmt::print(row, scene.name(), particles.size(), fmt::format("~{}", rough_text(rough_seconds(particles, settings))),
                scene.summary());
   } catch (const InputError& error) {
     fmt::print(row, scene.name(), "-", "-", fmt::format("{}; its defaults: {}", scene.summary(), error.what()));

@@ -16,9 +16,9 @@ template <class P>
 struct Packs : testing::Test {
   using T = lane_t<P>;
   static constexpr int width = lanes<P>;
-  std::vector<T> a, b;
+  std::vector<T> first, second;
   Packs() {
-    for (int k = 0; k < width; ++k) a.push_back(T(k) - T(1.25)), b.push_back(T(3) - T(0.5) * T(k * k));
+    for (int k = 0; k < width; ++k) first.push_back(T(k) - T(1.25)), second.push_back(T(3) - T(0.5) * T(k * k));
   }
   P pack(const std::vector<T>& from) const { return load<P>(from.data()); }
   std::vector<T> values(const P& from) const {
@@ -33,36 +33,36 @@ TYPED_TEST_SUITE(Packs, PackTypes);
 
 TYPED_TEST(Packs, OperationsActOnEachLane) {
   using P = TypeParam;
-  const P a = this->pack(this->a), b = this->pack(this->b);
+  const P a = this->pack(this->first), b = this->pack(this->second);
   const auto high = this->values(sphk::max(a, b)), low = this->values(sphk::min(a, b)),
              size = this->values(sphk::abs(a));
   const auto root = this->values(sphk::sqrt(a * a)), chosen = this->values(sphk::select(a < b, a, b));
   for (int k = 0; k < this->width; ++k) {
-    EXPECT_EQ(high[k], std::max(this->a[k], this->b[k]));
-    EXPECT_EQ(low[k], std::min(this->a[k], this->b[k]));
-    EXPECT_EQ(size[k], std::abs(this->a[k]));
-    EXPECT_EQ(root[k], std::abs(this->a[k]));
-    EXPECT_EQ(chosen[k], this->a[k] < this->b[k] ? this->a[k] : this->b[k]);
+    EXPECT_EQ(high[k], std::max(this->first[k], this->second[k]));
+    EXPECT_EQ(low[k], std::min(this->first[k], this->second[k]));
+    EXPECT_EQ(size[k], std::abs(this->first[k]));
+    EXPECT_EQ(root[k], std::abs(this->first[k]));
+    EXPECT_EQ(chosen[k], this->first[k] < this->second[k] ? this->first[k] : this->second[k]);
   }
 }
 
 TYPED_TEST(Packs, ReductionsRunOverAllLanes) {
-  using T = typename TestFixture::T;
-  T sum = 0, most = this->b[0];
-  for (const T value : this->a) sum += value;  // quarters below 2^20: every order of the sum is exact
-  for (const T value : this->b) most = std::max(most, value);
-  EXPECT_EQ(sum_lanes(this->pack(this->a)), sum);
-  EXPECT_EQ(max_lanes(this->pack(this->b)), most);
+  using Number = lane_t<TypeParam>;
+  Number sum = 0, most = this->second[0];
+  for (const Number value : this->first) sum += value;  // quarters below 2^20: every order of the sum is exact
+  for (const Number value : this->second) most = std::max(most, value);
+  EXPECT_EQ(sum_lanes(this->pack(this->first)), sum);
+  EXPECT_EQ(max_lanes(this->pack(this->second)), most);
 }
 
 TYPED_TEST(Packs, CompressionKeepsTheChosenLanesInOrder) {
   using P = TypeParam;
-  using T = typename TestFixture::T;
-  const P a = this->pack(this->a);
+  using Number = lane_t<TypeParam>;
+  const P a = this->pack(this->first);
   for (unsigned bits = 0; bits<1u << this->width; bits += this->width> 8 ? 37 : 1) {
-    std::vector<T> wanted, got(2 * this->width, T(-99));
+    std::vector<Number> wanted, got(2 * this->width, Number(-99));
     for (int k = 0; k < this->width; ++k)
-      if (bits >> k & 1) wanted.push_back(this->a[k]);
+      if (bits >> k & 1) wanted.push_back(this->first[k]);
     const Compress<P> compress(bits);
     compress.store(got.data(), a);
     ASSERT_EQ(compress.count(), static_cast<int>(wanted.size()));
@@ -73,8 +73,8 @@ TYPED_TEST(Packs, CompressionKeepsTheChosenLanesInOrder) {
 
 TYPED_TEST(Packs, MaskBitsNameTheLanes) {
   unsigned wanted = 0;
-  for (int k = 0; k < this->width; ++k) wanted |= unsigned(this->a[k] < this->b[k]) << k;
-  EXPECT_EQ(mask_bits(this->pack(this->a) < this->pack(this->b)), wanted);
+  for (int k = 0; k < this->width; ++k) wanted |= unsigned(this->first[k] < this->second[k]) << k;
+  EXPECT_EQ(mask_bits(this->pack(this->first) < this->pack(this->second)), wanted);
 }
 
 }  // namespace
