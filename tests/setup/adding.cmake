@@ -115,10 +115,7 @@ file(WRITE "${tree}/src/scenes/standing_wave.cpp" "#include <cmath>
 #include \"src/scenes/scenes.hpp\"
 namespace sphk {
 ${scene}
-const Scene& standing_wave_scene() {
-  static const StandingWave scene;
-  return scene;
-}
+const Scene& standing_wave_scene = StandingWave();
 }
 ")
 replace(src/scenes/scenes.hpp "  SCENE(uniform)" "  SCENE(standing_wave)     \\\n  SCENE(uniform)")
