@@ -138,7 +138,7 @@ std::string Object::text(const std::string& name) const {
     char* chars = nullptr;
     read_attribute(name, attribute, type.get(), &chars);
     if (!chars) fail(fmt::format("the attribute \"{}\" cannot be read", name));
-    const std::string value(chars);
+    std::string value(chars);
     H5free_memory(chars);
     return value;
   }
