@@ -138,7 +138,7 @@ std::string Object::text(const std::string& name) const {
     char* chars = nullptr;
     read_attribute(name, attribute, type.get(), &chars);
     if (!chars) fail(fmt::format("the attribute \"{}\" cannot be read", name));
-    const std::string value(chars);
+    std::string value(chars);
     H5free_memory(chars);
     return value;
   }
@@ -164,20 +164,8 @@ void Object::write_attribute(const std::string& name, hid_t type, const Handle& 
     fail(fmt::format("the attribute \"{}\" cannot be written", name));
 }
 
-Handle Dataset::type() const {
-  return {H5Dget_type(id_.get()), H5Tclose};
-}
-
 bool Dataset::is_number() const {
   return is_plain_number(type().get());
-}
-
-bool Dataset::is_integer() const {
-  return H5Tget_class(type().get()) == H5T_INTEGER;
-}
-
-bool Dataset::is_signed() const {
-  return H5Tget_sign(type().get()) == H5T_SGN_2;
 }
 
 std::vector<hsize_t> Dataset::shape() const {

@@ -101,8 +101,8 @@ class Dataset : public Object {
 
   std::vector<hsize_t> shape() const;
   bool is_number() const;
-  bool is_integer() const;
-  bool is_signed() const;  ///< of an integer
+  bool is_integer() const { return H5Tget_class(type().get()) == H5T_INTEGER; }
+  bool is_signed() const { return H5Tget_sign(type().get()) == H5T_SGN_2; }  ///< of an integer
 
   /// All values, row by row, converted to T. Fails when the file does not hold as many as the shape says.
   template <Number T>
@@ -113,7 +113,7 @@ class Dataset : public Object {
   }
 
  private:
-  Handle type() const;
+  Handle type() const { return {H5Dget_type(id_.get()), H5Tclose}; }
   std::size_t checked_size() const;
   void read_into(hid_t type, void* values) const;
 };

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <numeric>
-#include <span>
+#include <vector>
 
 #include "src/engine/particle_set.hpp"
 #include "src/io/hdf5_file.hpp"
@@ -14,7 +14,7 @@ namespace sphk {
 inline void write_gas_file(const std::filesystem::path& path, const ParticleSet& gas) {
   hdf5::File file = hdf5::File::create();
   hdf5::Group header = file.create_group("Header");
-  header.set("BoxSize", std::span<const double>(gas.box.size));
+  header.set("BoxSize", std::vector(gas.box.size.begin(), gas.box.size.end()));
   header.set("Dimension", gas.dimension);
   header.set("Time", gas.time);
   file.create_group("RuntimePars").set("PeriodicBoundariesOn", gas.box.periodic[0] ? 1 : 0);
