@@ -115,7 +115,9 @@ void forget_other_method(Settings& settings, const SchemeFacts& scheme, int dime
 /// prefers is meant for the kernel that it prefers.
 void adopt_kernel(Settings& settings, const SchemeFacts& scheme, int dimension) {
   settings.set_standard("sph.kernel", std::string(usual_of(scheme, dimension).kernel));
-  const double neighbours = usual_neighbours(scheme, settings.text("sph.kernel"), dimension);
+  const std::string kernel = settings.text("sph.kernel");
+  min_neighbours(kernel, dimension);  // refuses a name that is no kernel's
+  const double neighbours = usual_neighbours(scheme, kernel, dimension);
   if (settings.set_by_user("sph.kernel")) settings.forget_preference("sph.neighbours", neighbours);
   settings.set_standard("sph.neighbours", neighbours);
 }

@@ -52,11 +52,11 @@ KeyTexts keys_of(const Shown& shown) {
 std::string error_of(const Json& run, const GalleryTile& tile) {
   for (const std::string& field : {tile.field.value_or("rho"), std::string("rho")})
     if (run["errors"].contains(field))
-      return fmt::format("L1({}) {:.2g}", field, run["errors"][field]["l1"].get<double>());
+      return fmt::format("L1({}) {:.2g}", field, number_in(run["errors"][field]["l1"]));
   for (const auto& [measure, deviation] : run["deviations"].items())
     return fmt::format("{} off by {:.2g} %", measure == "cloud_mass" ? "cloud's mass" : measure,
-                       100 * deviation["l1"].get<double>());
-  return fmt::format("energy drift {:.0e}", run["conservation"]["energy"].get<double>());
+                       100 * number_in(deviation["l1"]));
+  return fmt::format("energy drift {:.0e}", number_in(run["conservation"]["energy"]));
 }
 
 Shown show(const Scene& scene, const fs::path& gallery, int threads) {

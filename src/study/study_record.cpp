@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -20,6 +21,10 @@ using Json = nlohmann::ordered_json;
 Json read_json(const fs::path& path) {
   std::ifstream file(path);
   return Json::parse(file, nullptr, false);
+}
+
+double number_in(const Json& value) {
+  return value.is_null() ? std::nan("") : value.get<double>();
 }
 
 void StudyRecord::save() const {
@@ -69,7 +74,7 @@ StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm
   const Json& first = entry["runs"][0];
   r.n = first["n"], r.particles = first["particles"], r.steps = first["steps"];
   r.updates = first["updates"], r.pairs = first["pair_interactions"], r.bytes = first["peak_memory_bytes"];
-  r.energy_drift = first["conservation"]["energy"];
+  r.energy_drift = number_in(first["conservation"]["energy"]);
   r.wall = r.cpu = 1e300;
   for (const Json& run : entry["runs"]) {
     r.wall = std::min<double>(r.wall, run["wall_seconds"]);
@@ -79,7 +84,8 @@ StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm
   }
   for (const char* kind : {"errors", "deviations"})
     if (first.contains(kind) && first[kind].contains(norm)) {
-      r.error = first[kind][norm]["l1"];
+      r.error = number_in(first[kind][norm]["l1"]);
+      if (!std::isfinite(r.error)) r.failure = fmt::format("the norm of \"{}\" is not finite", norm);
       return r;
     }
   r.failure = fmt::format("no norm of \"{}\"; choose another with --norm", norm);

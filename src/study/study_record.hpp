@@ -27,4 +27,7 @@ StudyRecord read_record(const std::filesystem::path& path);
 
 nlohmann::ordered_json read_json(const std::filesystem::path& path);
 
+/// A number of run.json, which has null in place of NaN and infinity: NaN then.
+double number_in(const nlohmann::ordered_json& value);
+
 }  // namespace sphk

@@ -70,6 +70,13 @@ TEST(Problem, AnUnknownSceneInAFileIsShownWithItsLine) {
   EXPECT_NE(text.find("sod"), std::string::npos) << text;
 }
 
+TEST(Problem, AnUnknownKernelIsRefusedBeforeAnythingIsComputed) {
+  const std::string text = message_of("sod", {{"sph.kernel", "xx", "--kernel xx"}});
+  EXPECT_NE(text.find("sph.kernel: there is no smoothing kernel \"xx\""), std::string::npos) << text;
+  EXPECT_NE(text.find("hoct4"), std::string::npos) << text;
+  EXPECT_EQ(message_of("sod", {{"sph.kernel", "liq0.4", "--kernel liq0.4"}}), "");
+}
+
 TEST(Problem, AFileWithoutASceneSaysHowToNameOne) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "my.toml").string();

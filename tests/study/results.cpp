@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "src/study/study_record.hpp"
+
 namespace sphk {
 namespace {
 
@@ -87,6 +89,19 @@ TEST(StudyResults, OthersAreMetByTheFastestMethod) {
   EXPECT_EQ(text_of(table.rows[0]), "X, slow|0.2|400|4|100|a|");
   EXPECT_EQ(text_of(table.rows[1]), "Y, good|0.1|40|below 8|over 5.0|b|");
   EXPECT_EQ(text_of(table.rows[2]), "Z, best|0.01|1|not reached|||");
+}
+
+// JSON has no NaN: run.json holds null in its place.
+TEST(StudyResults, ANormThatIsNoNumberIsAFailure) {
+  const auto run = nlohmann::ordered_json::parse(R"({"n": 8, "particles": 512, "steps": 3, "updates": 1536,
+    "pair_interactions": 5e4, "peak_memory_bytes": 1e6, "wall_seconds": 2, "cpu_seconds": 1,
+    "conservation": {"energy": null}, "deviations": {"mass": {"l1": null}, "M": {"l1": 0.25}}})");
+  const StudyPoint point{{{"scene.n", "8"}}};
+  const StudyRecord record{"study.json", {{"points", {{point.name(), {{"runs", {run}}}}}}}};
+  EXPECT_NE(record.result(point, "mass").failure.find("\"mass\" is not finite"), std::string::npos);
+  EXPECT_TRUE(std::isnan(record.result(point, "M").energy_drift));
+  EXPECT_TRUE(record.result(point, "M").valid());
+  EXPECT_EQ(record.result(point, "M").error, 0.25);
 }
 
 TEST(StudyResults, TheTableIsSortedByCostWithFailuresLast) {
