@@ -9,28 +9,22 @@ namespace sphk {
 
 namespace detail {
 
-/// The free functions phi and eta of R10 that a term or pass names, if it does.
+// The free function phi or eta of R10 that a term or pass names, if it does.
 template <class T>
-auto phi_named() {
-  if constexpr (requires { typename T::Phi; })
-    return List<typename T::Phi>{};
-  else
-    return List<>{};
-}
+auto phi(int) -> List<typename T::Phi>;
 template <class T>
-auto eta_named() {
-  if constexpr (requires { typename T::Eta; })
-    return List<typename T::Eta>{};
-  else
-    return List<>{};
-}
+auto phi(long) -> List<>;
+template <class P>
+auto eta(int) -> List<typename P::Eta>;
+template <class P>
+auto eta(long) -> List<>;
 template <class First, class... Rest>
 auto first(List<First, Rest...>) -> First;
 /// The first that a scheme's terms or passes name; 1 where none does.
 template <class... T>
-auto phi_of(List<T...>) -> decltype(first(Union<decltype(phi_named<T>())..., List<One>>{}));
+auto phi_of(List<T...>) -> decltype(first(Union<decltype(phi<T>(0))..., List<One>>{}));
 template <class... P>
-auto eta_of(List<P...>) -> decltype(first(Union<decltype(eta_named<P>())..., List<One>>{}));
+auto eta_of(List<P...>) -> decltype(first(Union<decltype(eta<P>(0))..., List<One>>{}));
 
 template <class L, class Phi, class Eta>
 struct FillErrorColumns {
