@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <sstream>
 
 #include "kernels/passes/kick_drift.hpp"
 #include "kernels/smoothing/list.hpp"
@@ -35,8 +35,8 @@ bool is_flag(const Number& number) {
 
 std::vector<std::string> words_of(const Number& number) {
   std::vector<std::string> words;
-  for (const auto word : std::views::split(std::string_view(number.words), '|'))
-    words.emplace_back(word.begin(), word.end());
+  std::istringstream text(number.words);
+  for (std::string word; std::getline(text, word, '|');) words.push_back(word);
   return words;
 }
 

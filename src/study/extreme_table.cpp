@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
@@ -79,13 +78,13 @@ std::vector<Outcome> perform(const ExtremeCase& one, const fs::path& folder, int
 /// The cases of the files that are named, or of those that come with sphk; of these the ones that are named, or all.
 std::vector<ExtremeCase> wanted_cases(Batch batch) {
   const auto check = [](const std::string& scene, const KeyTexts& keys) { resolve_problem(scene, overrides_of(keys)); };
-  const auto files =
-      std::ranges::stable_partition(batch.names, [](const auto& name) { return !name.ends_with(".toml"); });
+  const auto is_file = [](const std::string& name) { return name.ends_with(".toml"); };
   std::vector<ExtremeCase> cases;
-  for (const std::string& file : files) std::ranges::move(read_extremes(file, check), std::back_inserter(cases));
-  if (files.empty()) cases = extremes_in(shared_folder() / "studies" / "extremes", check);
-  batch.names.erase(files.begin(), files.end());
-  const auto there = cases | std::views::transform(&ExtremeCase::name);
+  for (const std::string& name : batch.names)
+    if (is_file(name)) std::ranges::move(read_extremes(name, check), std::back_inserter(cases));
+  if (std::erase_if(batch.names, is_file) == 0) cases = extremes_in(shared_folder() / "studies" / "extremes", check);
+  std::vector<std::string> there;
+  std::ranges::transform(cases, std::back_inserter(there), &ExtremeCase::name);
   for (const std::string& name : batch.names)
     if (std::ranges::find(there, name) == there.end())
       throw InputError(fmt::format("there is no case \"{}\"; known are {}", name, fmt::join(there, ", ")));
