@@ -1,6 +1,8 @@
 #include "src/run/stop_signal.hpp"
 
+#include <atomic>
 #include <csignal>
+#include <ctime>
 #include <initializer_list>
 
 namespace sphk {
@@ -8,19 +10,33 @@ namespace sphk {
 namespace {
 
 volatile std::sig_atomic_t stop_flag = 0, checkpoint_flag = 0;
+std::atomic<std::time_t> asked_at{0};  // seconds
+static_assert(std::atomic<std::time_t>::is_always_lock_free, "a signal handler may not wait for a lock");
 
-void ask_for_stop(int) {
-  stop_flag = 1;
+std::time_t seconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
+
+void ask_for_stop(int signal) {
+  if (stop_flag == 0) {
+    asked_at = seconds_now();
+    stop_flag = 1;
+  } else if (seconds_now() - asked_at > 1) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 void ask_for_checkpoint(int) {
   checkpoint_flag = 1;
 }
 
-void handle(int signal, void (*handler)(int), int flags) {
+void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = SA_RESTART | flags;
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(signal, &action, nullptr);
 }
@@ -29,8 +45,8 @@ void handle(int signal, void (*handler)(int), int flags) {
 
 void catch_stop_signals() {
   stop_flag = 0;
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) handle(signal, ask_for_stop, static_cast<int>(SA_RESETHAND));
-  handle(SIGUSR2, ask_for_checkpoint, 0);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) handle(signal, ask_for_stop);
+  handle(SIGUSR2, ask_for_checkpoint);
 }
 
 bool stop_requested() {

@@ -2,8 +2,9 @@
 
 namespace sphk {
 
-/// Forgets what was asked for before. From now on the first SIGTERM, SIGINT or SIGUSR1 only asks for a stop; a second
-/// one ends the program as usual. SIGUSR2 asks for a checkpoint.
+/// Forgets what was asked for before. From now on SIGTERM, SIGINT and SIGUSR1 only ask for a stop. One that comes two
+/// seconds or more after the first ends the program as usual: `timeout`, shells and batch systems send a stop twice, to
+/// the program and to its process group. SIGUSR2 asks for a checkpoint.
 void catch_stop_signals();
 /// Has a stop been asked for?
 bool stop_requested();

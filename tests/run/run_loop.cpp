@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "src/engine/errors.hpp"
 #include "src/run/problem.hpp"
@@ -225,6 +227,23 @@ TEST_F(RunLoopTest, ASignalFinishesTheStepAndLeavesACheckpoint) {
   EXPECT_EQ(newest_checkpoint(folder.path(), scene, settings).loop.steps, 4);
   catch_stop_signals();
   EXPECT_FALSE(stop_requested()) << "else no further run of this process would begin";
+}
+
+TEST(StopSignal, AStopSentTwiceAtOnceIsOneStop) {
+  catch_stop_signals();
+  for (const int signal : {SIGTERM, SIGTERM, SIGINT, SIGUSR1}) std::raise(signal);
+  EXPECT_TRUE(stop_requested());
+  catch_stop_signals();
+}
+
+TEST(StopSignal, ALaterOneEndsTheProgram) {
+  const auto twice = [] {
+    catch_stop_signals();
+    std::raise(SIGINT);
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    std::raise(SIGTERM);
+  };
+  EXPECT_EXIT(twice(), testing::KilledBySignal(SIGTERM), "");
 }
 
 }  // namespace
