@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
 #include "src/run/dry_run.hpp"
 #include "src/schemes/registry.hpp"
@@ -45,8 +47,6 @@ void print_scene(const Scene& scene) {
   }
 }
 
-}  // namespace
-
 int list_command() {
   fmt::print("{:<15} {:>10} {:>9}  {}\n", "scene", "particles", "cost", "what it is");
   for (const Scene* scene : scenes()) print_scene(*scene);
@@ -55,6 +55,12 @@ int list_command() {
       "\nParticles and a rough cost on this machine's cores are those of the defaults; `sphk run SCENE --dry-run` "
       "measures.\n`sphk show SCENE` tells what a scene computes and its keys.\n");
   return ExitCode::done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& root, Options& o) {
+  computes(*root.add_subcommand("list", "the scenes, with their size and rough cost"), o, list_command);
 }
 
 }  // namespace sphk

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "src/engine/errors.hpp"
+#include "src/run/stop_signal.hpp"
 
 namespace sphk {
 
@@ -57,6 +58,27 @@ void add_sets(CLI::App& app, Options& o, const std::string& doc) {
 
 void add_threads(CLI::App& app, int& threads) {
   app.add_option("--threads", threads, "threads on the CPU; default: what OpenMP gives")->check(CLI::Range(1, 65536));
+}
+
+void add_physics(CLI::App& app, Options& o) {
+  shortcut(app, o, "--scheme", "sph.scheme", "NAME",
+           "the scheme: sph, gadget2, tsph, sphs, ... or a label such as SPHS-HCT442 (key sph.scheme)");
+  shortcut(app, o, "--kernel", "sph.kernel", "NAME", "the smoothing kernel: cs, ct, hoct4, wc2, ... (key sph.kernel)");
+  shortcut(app, o, "--neighbours", "sph.neighbours", "N", "the neighbour number (key sph.neighbours)");
+  shortcut(app, o, "--precision", "sph.precision", "mixed|double", "of the pair arithmetic (key sph.precision)");
+  add_sets(app, o, "set a key of the scene file");
+}
+
+CLI::App& add_batch(CLI::App& root, Options& o, const std::string& name, const std::string& doc,
+                    const std::function<bool(const Batch&)>& make) {
+  CLI::App& app = *root.add_subcommand(name, doc);
+  add_threads(app, o.batch.threads);
+  acts(app, o, [&o, make] {
+    const bool all_well = make(o.batch);
+    if (stop_requested()) return ExitCode::stopped;
+    return all_well ? ExitCode::done : ExitCode::numerics;
+  });
+  return app;
 }
 
 }  // namespace sphk

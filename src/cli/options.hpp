@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "src/cli/command_line.hpp"
-#include "src/cli/commands.hpp"
+#include "src/run/failure.hpp"
 #include "src/run/plot.hpp"
 #include "src/run/rates.hpp"
+#include "src/run/run.hpp"
 #include "src/run/stability_map.hpp"
 #include "src/study/child.hpp"
 #include "src/study/study.hpp"
@@ -20,6 +21,11 @@ class Option;
 }  // namespace CLI
 
 namespace sphk {
+
+struct RunOptions {
+  RunRequest request;
+  bool dry_run = false, json_log = false;
+};
 
 /// Everything the options write to, and what the command then does; lives as long as the request.
 struct Options {
@@ -56,8 +62,10 @@ void repeats(CLI::Option* option, const std::string& type);
 /// --set, as often as there are keys; and --threads.
 void add_sets(CLI::App& app, Options& o, const std::string& doc);
 void add_threads(CLI::App& app, int& threads);
-
-/// `sphk study` with its options.
-void add_study(CLI::App& root, Options& o);
+/// --scheme, --kernel, --neighbours, --precision and --set.
+void add_physics(CLI::App& app, Options& o);
+/// A command that makes many runs, each a process of its own.
+CLI::App& add_batch(CLI::App& root, Options& o, const std::string& name, const std::string& doc,
+                    const std::function<bool(const Batch&)>& make);
 
 }  // namespace sphk

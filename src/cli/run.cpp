@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
+#include "src/engine/errors.hpp"
 #include "src/report/final_table.hpp"
 #include "src/run/dry_run.hpp"
 
@@ -27,8 +32,6 @@ std::string closing_object(const RunResult& result) {
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace
-
 int run_command(const RunOptions& options) {
   if (options.dry_run) {
     const DryRun told = dry_run(problem_of(options.request));
@@ -44,6 +47,65 @@ int run_command(const RunOptions& options) {
   else
     fmt::print("\n{}\n{}\n", final_table(result.record), closing_words(result));
   return result.record.finished ? ExitCode::done : ExitCode::stopped;
+}
+
+/// 90, 1:30 or 0:01:30 in seconds.
+double seconds_of(const std::string& text) {
+  double seconds = 0;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ':');) {
+    char* end = nullptr;
+    const double value = std::strtod(part.c_str(), &end);
+    if (part.empty() || *end != '\0' || !(value >= 0))
+      throw InputError(fmt::format("--walltime {}: write seconds, M:S or H:M:S", text));
+    seconds = 60 * seconds + value;
+  }
+  if (!(seconds > 0)) throw InputError(fmt::format("--walltime {}: a positive time is wanted", text));
+  return seconds;
+}
+
+}  // namespace
+
+void add_run(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("run", "run a scene, a scene file or an initial condition");
+  RunRequest& request = o.run.request;
+  CLI::Option* what =
+      app.add_option("what", request.what, "a scene (`sphk list`), a scene file (*.toml) or an HDF5 initial condition");
+  add_path(app, "--resume", request.resume, "go on with the run in this folder, from its newest checkpoint")
+      ->type_name("DIR")
+      ->excludes(what);
+  add_physics(app, o);
+  shortcut(app, o, "-n,--resolution", "scene.n", "N", "the scene's resolution, particles along the box (key scene.n)");
+  shortcut(app, o, "--t-end", "time.end", "T", "end time in code units (key time.end)");
+  shortcut(app, o, "--steps", "time.max_steps", "N", "stop after so many steps (key time.max_steps)");
+  add_threads(app, o.threads);
+  add_path(app, "--out", request.out,
+           "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
+  app.add_option_function<std::string>(
+         "--walltime", [&request](const std::string& text) { request.walltime = seconds_of(text); },
+         "stop with a checkpoint before so much wall-clock time is over: seconds, M:S or H:M:S")
+      ->type_name("TIME");
+  app.add_flag("--overwrite", request.overwrite, "replace the run that the folder of --out holds");
+  app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
+  app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
+  app.footer(
+      "Examples:\n  sphk run sod\n  sphk run gresho -n 64 --neighbours 128 --kernel hoct4\n"
+      "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
+      "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
+      "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
+      "SIGTERM, SIGINT, SIGUSR1, a file named stop in the run's folder and --walltime end the step, leave a checkpoint "
+      "and exit\nwith 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` continues bit by bit, on as "
+      "many threads.\n"
+      "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped with a checkpoint.");
+  computes(app, o, [&o, &request] {
+    if (request.what.empty() && !request.resume) throw InputError("sphk run takes a scene or file, or --resume DIR");
+    if (request.resume && (!o.shortcuts.empty() || !o.sets.empty() || request.out))
+      throw InputError(
+          "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
+          "--json-log go with it");
+    request.overrides = overrides(o);
+    return run_command(o.run);
+  });
 }
 
 }  // namespace sphk

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/report/quantity.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -45,8 +48,6 @@ void print_keys(const Settings& settings) {
   }
 }
 
-}  // namespace
-
 int show_command(const std::string& what, const std::vector<Override>& overrides) {
   const Problem problem = resolve_problem(what, overrides);
   const ParticleSet particles = problem.scene->build(with_lattice(problem.settings));
@@ -68,6 +69,17 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
   print_list("idle", d.idle, next_line);
   print_keys(problem.settings);
   return ExitCode::done;
+}
+
+}  // namespace
+
+void add_show(CLI::App& root, Options& o) {
+  CLI::App& show = *root.add_subcommand("show", "what a scene computes, and every key with its meaning");
+  show.add_option("what", o.what, "a scene, a scene file or an initial condition")->required();
+  add_physics(show, o);
+  shortcut(show, o, "-n,--resolution", "scene.n", "N", "the scene's resolution (key scene.n)");
+  show.footer("Example:\n  sphk show sod --kernel hoct4 --neighbours 442");
+  computes(show, o, [&o] { return show_command(o.what, overrides(o)); });
 }
 
 }  // namespace sphk

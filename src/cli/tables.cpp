@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "kernels/smoothing/list.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/plot_script.hpp"
 #include "src/tables/published.hpp"
@@ -31,8 +33,6 @@ void draw_kernels(const std::filesystem::path& folder) {
   run_plot_script(nlohmann::ordered_json{{"kernels", kernels}, {"out", (folder / "kernels.png").string()}}.dump());
 }
 
-}  // namespace
-
 int tables_command(const std::optional<std::filesystem::path>& folder) {
   if (folder) std::filesystem::create_directories(*folder);
   std::size_t values = 0, agreeing = 0;
@@ -47,6 +47,18 @@ int tables_command(const std::optional<std::filesystem::path>& folder) {
              values);
   if (folder) draw_kernels(*folder);
   return ExitCode::done;
+}
+
+}  // namespace
+
+void add_tables(CLI::App& root, Options& o) {
+  CLI::App& app = *root.add_subcommand("tables", "the papers' tables, computed, beside what they print");
+  add_threads(app, o.threads);
+  add_path(app, "--out", o.tables_folder, "folder for the tables as CSV and the smoothing kernels as kernels.png");
+  app.footer(
+      "S12 Table 1 (density errors), R10 Table 1 (HOCT kernels), V10 Table 1 (LIQ kernels), S12 Fig. 1 (half-mass "
+      "radii).\nExample:\n  sphk tables --out tables");
+  computes(app, o, [&o] { return tables_command(o.tables_folder); });
 }
 
 }  // namespace sphk

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
 #include "src/io/check.hpp"
 #include "src/io/reader.hpp"
 
 namespace sphk {
+
+namespace {
 
 int ic_check_command(const std::string& file) {
   const ReadResult content = read_particles(file, NonFinite::keep);
@@ -19,6 +23,16 @@ int ic_check_command(const std::string& file) {
       std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Finding::Severity::error; });
   fmt::print("{}\n", sound ? "A run can start from it." : "No run can start from it: mend the errors above.");
   return sound ? ExitCode::done : ExitCode::bad_input;
+}
+
+}  // namespace
+
+void add_ic(CLI::App& root, Options& o) {
+  CLI::App& ic = *root.add_subcommand("ic", "work with initial conditions");
+  ic.require_subcommand(1);
+  CLI::App& check = *ic.add_subcommand("check", "look for NaN, zero masses, duplicate ids, coincident particles, ...");
+  check.add_option("file", o.what, "an HDF5 initial condition")->required();
+  acts(check, o, [&o] { return ic_check_command(o.what); });
 }
 
 }  // namespace sphk
