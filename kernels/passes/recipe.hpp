@@ -205,7 +205,7 @@ struct Leaner {
 /// each of the terms says that it is idle.
 template <class R, class... Term>
 struct Without : detail::Leaner<R, List<Term...>>::type {
-  using LeftOut = List<Term...>;
+  using LeftOut = Union<typename R::LeftOut, List<Term...>>;
   static constexpr bool lean = true;
 };
 
@@ -215,6 +215,7 @@ template <class R, class Old, class New>
 struct Replacing : detail::Settled<Recipe<typename R::ThermalForm, typename R::DensityTerms,
                                           decltype(detail::replaced<Old, New>(typename R::RateTerms::List{})),
                                           decltype(detail::passes(typename R::StepPasses{}))>>::type {
+  using LeftOut = typename R::LeftOut;
   static constexpr bool lean = true;
 };
 
@@ -222,13 +223,6 @@ struct Replacing : detail::Settled<Recipe<typename R::ThermalForm, typename R::D
 template <class R>
 inline constexpr bool is_complete = !requires {
   R::lean;
-};
-
-/// Whether one right-hand side can be told of recipe R, each term apart: of complete recipes, and of those that ask for
-/// it, since it takes a loop of its own.
-template <class R>
-inline constexpr bool tells_rates = is_complete<R> || requires {
-  R::rates;
 };
 
 namespace detail {

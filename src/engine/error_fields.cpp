@@ -44,4 +44,8 @@ std::vector<Field> written_errors(const HostRows& rows, std::span<const FieldPla
 
 }  // namespace detail
 
+template std::vector<Field> error_fields(const Particles<ErrorLayout<1>>&, const Smoothing<AnyKernel, 1>&);
+template std::vector<Field> error_fields(const Particles<ErrorLayout<2>>&, const Smoothing<AnyKernel, 2>&);
+template std::vector<Field> error_fields(const Particles<ErrorLayout<3>>&, const Smoothing<AnyKernel, 3>&);
+
 }  // namespace sphk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/passes/state.hpp"
+#include "kernels/smoothing/any.hpp"
 #include "kernels/terms/error_terms.hpp"
 #include "src/engine/particle_set.hpp"
 
@@ -25,10 +26,8 @@ extern template Columns<3, ErrorLayout<3>::Fields> error_columns<3>(int n);
 template <int D, class K>
 std::vector<Field> error_fields(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
 
-/// Whether that is compiled apart from the schemes with kernel K, under the name that follows.
-template <int D, class K>
-inline constexpr bool errors_compiled_apart = false;
-template <int D, class K>
-std::vector<Field> error_fields_apart(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
+extern template std::vector<Field> error_fields(const Particles<ErrorLayout<1>>&, const Smoothing<AnyKernel, 1>&);
+extern template std::vector<Field> error_fields(const Particles<ErrorLayout<2>>&, const Smoothing<AnyKernel, 2>&);
+extern template std::vector<Field> error_fields(const Particles<ErrorLayout<3>>&, const Smoothing<AnyKernel, 3>&);
 
 }  // namespace sphk

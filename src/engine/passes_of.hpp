@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/smoothing/any.hpp"
 #include "src/engine/diagnostics.hpp"
 #include "src/engine/error_fields.hpp"
 #include "src/engine/error_loops.hpp"
@@ -61,6 +62,25 @@ template <class R, class L>
   });
 }
 
+/// One right-hand side of recipe R, which the passes have just computed, with kernel K, in double.
+template <class R, class L, class K>
+[[gnu::noinline]] std::vector<Field> rates_of_recipe(const RunOf<L>& run, std::span<const FieldPlace> places,
+                                                     const Smoothing<K, L::dimension>& smoothing, bool split) {
+  const State<Scheme<R, L::dimension, K, double>> state{run.state.template as<L>(), smoothing};
+  const HostColumns<L> host(state);
+  std::vector<Field> fields = shown_in_rates(host, places);
+  append_derived_rates<L>(fields, state, host, run.given);
+  const auto sums = sums_of_rates(state, run.given);
+  using Sums = std::remove_const_t<decltype(sums)>;
+  const HostRows rows(host, sums.data, sums.stride);
+  for (Field& field : shown_in_rates(rows, field_places<L::dimension, typename Sums::Fields>))
+    if (std::ranges::find(fields, field.name, &Field::name) == fields.end()) fields.push_back(std::move(field));
+  if (split)
+    for (Field& field : shares(rows, shares_of_terms<typename R::RateTerms::List, Sums>()))
+      fields.push_back(std::move(field));
+  return fields;
+}
+
 /// What scheme S tells the run that it serves.
 template <class S>
 CompiledFacts facts_of() {
@@ -75,10 +95,10 @@ template <class S>
 class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
  public:
   using L = typename S::Layout;
-  static constexpr bool has_rates = std::is_same_v<typename S::PairNumber, double> && tells_rates<typename S::Recipe>;
+  using R = typename S::Recipe;
 
   explicit PassesOf(const typename S::Kernel& kernel)
-      : SchemePasses<BaseLayout<L>>(facts_of<S>()), smoothing_(kernel) {}
+      : SchemePasses<BaseLayout<L>>(facts_of<S>()), smoothing_(kernel), seldom_(seldom_used(kernel)) {}
 
   void run(int pass, RunOf<L>& run) const override {
     int k = 0;
@@ -89,42 +109,26 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
         if (here) P::template run<S>(run, smoothing_), over_pairs = true;
       }
     });
-    if (!over_pairs) run_particle_pass<typename S::Recipe, L>(pass, run);
+    if (!over_pairs) run_particle_pass<R, L>(pass, run);
   }
 
   std::vector<Field> rates(const RunOf<L>& run, bool split) const override {
-    if constexpr (has_rates) {
-      const State<S> state{run.state.template as<L>(), smoothing_};
-      const HostColumns<L> host(state);
-      std::vector<Field> fields = shown_in_rates(host, this->facts.fields);
-      append_derived_rates<L>(fields, state, host, run.given);
-      const auto sums = sums_of_rates<S>(state, run.given);
-      using Sums = std::remove_const_t<decltype(sums)>;
-      const HostRows rows(host, sums.data, sums.stride);
-      for (Field& field : shown_in_rates(rows, field_places<S::dimension, typename Sums::Fields>))
-        if (std::ranges::find(fields, field.name, &Field::name) == fields.end()) fields.push_back(std::move(field));
-      if (split)
-        for (Field& field : shares(rows, shares_of_terms<typename S::RateTerms::List, Sums>()))
-          fields.push_back(std::move(field));
+    if constexpr (is_complete<R>) {
+      std::vector<Field> fields = rates_of_recipe<R, L>(run, this->facts.fields, seldom_, split);
       for (Field& field : errors(run.state)) fields.push_back(std::move(field));
       return fields;
     } else {
-      throw std::logic_error(
-          "rates are computed in double, by all terms: make the simulation with precision \"double\" "
-          "and all_terms");
+      throw std::logic_error("rates are told of all terms: make the simulation with all_terms");
     }
   }
 
   std::vector<Field> errors(const Particles<BaseLayout<L>>& particles) const override {
-    const auto judged = error_particles<typename S::Recipe>(particles.template as<L>());
-    if constexpr (errors_compiled_apart<S::dimension, typename S::Kernel>)
-      return error_fields_apart(judged, smoothing_);
-    else
-      return error_fields(judged, smoothing_);
+    return error_fields(error_particles<R>(particles.template as<L>()), seldom_);
   }
 
  private:
   SmoothingOf<S> smoothing_;
+  Smoothing<decltype(seldom_used(std::declval<typename S::Kernel>())), S::dimension> seldom_;
 };
 
 /// A loaded run for the passes of scheme S, one by one.

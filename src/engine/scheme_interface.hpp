@@ -38,7 +38,7 @@ class SchemePasses {
   explicit SchemePasses(CompiledFacts of) : facts(std::move(of)) {}
   virtual ~SchemePasses() = default;
   virtual void run(int pass, Run<L>& run) const = 0;
-  /// One right-hand side, as `sphk rates` writes it; the passes have just been run. In double alone.
+  /// One right-hand side, as `sphk rates` writes it; the passes have just been run.
   virtual std::vector<Field> rates(const Run<L>& run, bool split) const = 0;
   /// What Simulation::errors gives.
   virtual std::vector<Field> errors(const Particles<L>& particles) const = 0;

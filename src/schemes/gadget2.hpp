@@ -18,8 +18,7 @@ struct Gadget2 {
     using Kernels = Curated<List<>, List<CubicSpline>, List<CubicSpline, WendlandC6>>;
   };
   using Lean = ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>;
-  using Recipes = List<Entropy, Inviscid<Entropy, ViscositySignalVelocity<>, Lean>,
-                       NoBalsara<Entropy, ViscositySignalVelocity, Lean>>;
+  using Recipes = Union<List<Entropy>, LeanClassic<Entropy, ViscositySignalVelocity, Lean>>;
 };
 
 }  // namespace sphk

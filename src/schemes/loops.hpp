@@ -14,10 +14,6 @@ template <class S>
 FitCounts fit_velocities_apart(const State<S>& state) {
   return fit_velocities(state);
 }
-template <int D, class K>
-std::vector<Field> error_fields_apart(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing) {
-  return error_fields(particles, smoothing);
-}
 
 namespace detail {
 
@@ -43,10 +39,6 @@ constexpr auto density_loops(List<L...>) {
 template <int D, class T, class... L>
 constexpr auto gradient_loops(List<L...>) {
   return std::tuple_cat(detail::gradients_of<L, D, T>(typename L::template Kernel<D>{})...);
-}
-template <int D, class... K>
-constexpr auto error_loops(List<K...>) {
-  return std::tuple{&error_fields_apart<D, K>..., &error_fields_apart<D, Tabulated>};
 }
 
 }  // namespace sphk

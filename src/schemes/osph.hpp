@@ -38,9 +38,9 @@ struct Osph {
   struct Energy : EnergyFamily<InverseEnergy, DensityItself, InverseEnergy> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
-  using Lean = ByDimension<List<>, List<>, List<Hoct<4>>>;
-  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
-                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
+  using Lean = ByDimension<List<>, List<Tabulated>, List<Hoct<4>>>;
+  using Recipes = Union<List<Entropy, Energy>, LeanClassic<Entropy, ViscosityGingoldMonaghan, Lean>,
+                        LeanClassic<Energy, ViscosityGingoldMonaghan, Lean>>;
 };
 
 }  // namespace sphk

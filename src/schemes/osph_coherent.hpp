@@ -27,7 +27,8 @@ struct OsphCoherent {
                          GeneralStep<CoherentContinuity<InverseEnergy>, FreeFunctions<InverseEnergy, InverseEnergy>>> {
     using Kernels = Curated<List<>, List<>, List<>>;
   };
-  using Recipes = List<Entropy, Energy>;
+  using Recipes = Union<List<Entropy, Energy>, LeanClassic<Entropy, ViscosityGingoldMonaghan, LeanThroughTable>,
+                        LeanClassic<Energy, ViscosityGingoldMonaghan, LeanThroughTable>>;
 };
 
 }  // namespace sphk

@@ -5,7 +5,6 @@
 #include "kernels/smoothing/list.hpp"
 #include "kernels/smoothing/tabulated.hpp"
 #include "kernels/terms/velocity_gradient.hpp"
-#include "src/engine/error_loops.hpp"
 
 namespace sphk {
 
@@ -49,10 +48,6 @@ using AllSharedLoops =
          SharedLoops<List<VelocityDivergence, VelocityCurl, DensitySlope, GradVelocityDivergence>, TermSet<>,
                      ByDimension<List<>, List<>, List<Hoct<4>>>>>;
 
-/// Kernels for which the loop of the leading errors is compiled, beside the table.
-using ErrorKernels = ByDimension<List<>, List<CubicSpline, Liq, Hoct<4>, WendlandC6>,
-                                 List<CubicSpline, CoreTriangle, Hoct<4>, Liq, BSpline<5>, WendlandC2, WendlandC6>>;
-
 namespace detail {
 template <class L, class K, class DensitySums, class... Shared>
 constexpr bool is_shared(List<Shared...>) {
@@ -66,9 +61,5 @@ constexpr bool is_shared(List<Shared...>) {
 template <class L, class K, class T, class DensitySums>
 inline constexpr bool compiled_apart<CoreScheme<L, K, T, DensitySums>> =
     detail::is_shared<L, K, DensitySums>(AllSharedLoops{});
-
-template <int D, class K>
-requires contains<K, Union<typename ErrorKernels::template in<D>, List<Tabulated>>>
-inline constexpr bool errors_compiled_apart<D, K> = true;
 
 }  // namespace sphk

@@ -25,8 +25,8 @@ struct Sph {
     using Kernels = Curated<List<>, List<>, List<>>;
   };
   using Lean = ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>;
-  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
-                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
+  using Recipes = Union<List<Entropy, Energy>, LeanClassic<Entropy, ViscosityGingoldMonaghan, Lean>,
+                        LeanClassic<Energy, ViscosityGingoldMonaghan, LeanThroughTable>>;
 };
 
 }  // namespace sphk

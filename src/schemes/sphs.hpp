@@ -17,17 +17,14 @@ using SphsStep = typename Before<StateEquation, BeforeGradients..., Gradients, C
 /// Terms of SPHS: a momentum equation with what pays for its work, and the dissipations.
 template <class... Pressure>
 using SphsTerms = TermSet<Pressure..., ViscositySwitched<>, EntropyDissipation<>, MassDissipation, SignalVelocity>;
-/// A step without a switch, and terms with one alpha for all.
-template <class Form, class... Pressure>
-using SphsConstant =
-    Recipe<Form, DivergenceSum,
-           TermSet<Pressure..., ViscositySwitched<ConstantAlpha>, EntropyDissipation<ConstantAlpha>, SignalVelocity>,
-           Step<StateEquation>>;
+/// Equal masses and a step without a switch.
+template <class Form, class... Terms>
+using Unswitched = Recipe<Form, DivergenceSum, TermSet<Terms..., SignalVelocity>, Step<StateEquation>>;
 
 /// A recipe of SPHS for equal masses.
 template <class Full>
 using EqualMasses = Without<Full, MassDissipation>;
-/// Kernels of the leaner recipes: no table.
+/// Kernels of the leaner recipes.
 using SphsLeanKernels = ByDimension<List<>, List<WendlandC6>, List<Hoct<4>>>;
 
 /// SPHS (Read & Hayfield 2012, S12): the switch of the fitted velocity gradients drives every dissipation.
@@ -49,11 +46,9 @@ struct Sphs {
     using Kernels = Wide;
   };
   struct EqualEntropy : EqualMasses<Entropy> {
-    static constexpr bool rates = true;
     using Kernels = Curated<List<>, List<Hoct<4>, WendlandC6>, List<Hoct<4>, WendlandC2, BSpline<5>, Liq>>;
   };
   struct EqualEnergy : EqualMasses<Energy> {
-    static constexpr bool rates = true;
     using Kernels = Wide;
   };
   template <class Full>
@@ -64,15 +59,25 @@ struct Sphs {
   struct Isentropic : Without<Full, MassDissipation, EntropyDissipation<>> {
     using Kernels = SphsLeanKernels;
   };
+  /// The same alpha for every particle.
   template <class Form, class... Pressure>
-  struct OneAlpha : SphsConstant<Form, Pressure...> {
+  struct OneAlpha : Unswitched<Form, Pressure..., ViscositySwitched<ConstantAlpha>, EntropyDissipation<ConstantAlpha>> {
     using Kernels = SphsLeanKernels;
     using LeftOut = List<MassDissipation>;
     static constexpr bool lean = true;
   };
-  using Recipes = List<Entropy, Energy, EqualEntropy, EqualEnergy, Inviscid<Entropy>, Inviscid<Energy>,
-                       Isentropic<Entropy>, Isentropic<Energy>, OneAlpha<EntropyForm, PressureGradientTsph>,
-                       OneAlpha<EnergyForm, PressureGradientTsph, PressureWorkTsph>>;
+  /// No dissipation at all.
+  template <class Form, class... Pressure>
+  struct Ideal : Unswitched<Form, Pressure...> {
+    using Kernels = SphsLeanKernels;
+    using LeftOut = List<MassDissipation, ViscositySwitched<>, EntropyDissipation<>>;
+    static constexpr bool lean = true;
+  };
+  using Recipes =
+      List<Entropy, Energy, EqualEntropy, EqualEnergy, Inviscid<Entropy>, Inviscid<Energy>, Isentropic<Entropy>,
+           Isentropic<Energy>, OneAlpha<EntropyForm, PressureGradientTsph>,
+           OneAlpha<EnergyForm, PressureGradientTsph, PressureWorkTsph>, Ideal<EntropyForm, PressureGradientTsph>,
+           Ideal<EnergyForm, PressureGradientTsph, PressureWorkTsph>>;
 };
 
 }  // namespace sphk

@@ -17,7 +17,6 @@ struct SphsConservative {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
   struct EqualEntropy : EqualMasses<Entropy> {
-    static constexpr bool rates = true;
     using Kernels = Entropy::Kernels;
   };
   using Recipes = List<Entropy, EqualEntropy>;

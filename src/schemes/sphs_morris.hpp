@@ -17,7 +17,6 @@ struct SphsMorris {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
   struct EqualEntropy : EqualMasses<Entropy> {
-    static constexpr bool rates = true;
     using Kernels = Curated<List<>, List<WendlandC6>, List<Hoct<4>, WendlandC2, BSpline<5>, Liq>>;
   };
   using Recipes = List<Entropy, EqualEntropy>;

@@ -23,6 +23,9 @@ using Step = typename Before<BeforeRates...>::template Then<>;
 template <class Line, class Plane, class Space>
 using Curated = ByDimension<Union<Line, List<Tabulated>>, Union<Plane, List<Tabulated>>, Union<Space, List<Tabulated>>>;
 
+// Leaner recipes are compiled in 2D and 3D, where time matters, for the kernels that are usual there: in closed form
+// where the scheme has them.
+
 /// A classic recipe without its viscosity, for where that is idle;
 template <class Full, class Viscosity, class LeanKernels>
 struct Inviscid : Without<Full, Viscosity> {
@@ -33,6 +36,12 @@ template <class Full, template <class> class Viscosity, class LeanKernels>
 struct NoBalsara : Replacing<Full, Viscosity<BalsaraLimited>, Viscosity<Unlimited>> {
   using Kernels = LeanKernels;
 };
+template <class Full, template <class> class Viscosity, class LeanKernels>
+using LeanClassic =
+    List<Inviscid<Full, Viscosity<BalsaraLimited>, LeanKernels>, NoBalsara<Full, Viscosity, LeanKernels>>;
+
+/// For kernels of leaner recipes: those that are usual go through the table.
+using LeanThroughTable = ByDimension<List<>, List<Tabulated>, List<Tabulated>>;
 
 /// What the density loop of the classic schemes adds up for Balsara's factor and the prediction of h.
 using ClassicDensity = GradientSums;

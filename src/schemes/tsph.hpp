@@ -25,9 +25,9 @@ struct Tsph {
                TermSet<PressureGradientTsph, PressureWork, ViscosityGingoldMonaghan<>, SignalVelocityMonaghan>, Steps> {
     using Kernels = Curated<List<>, List<>, List<Hoct<4>>>;
   };
-  using Lean = ByDimension<List<>, List<>, List<Hoct<4>>>;
-  using Recipes = List<Entropy, Energy, Inviscid<Entropy, ViscosityGingoldMonaghan<>, Lean>,
-                       NoBalsara<Entropy, ViscosityGingoldMonaghan, Lean>>;
+  using Lean = ByDimension<List<>, List<Tabulated>, List<Tabulated, Hoct<4>>>;
+  using Recipes = Union<List<Entropy, Energy>, LeanClassic<Entropy, ViscosityGingoldMonaghan, Lean>,
+                        LeanClassic<Energy, ViscosityGingoldMonaghan, LeanThroughTable>>;
 };
 
 }  // namespace sphk

@@ -31,12 +31,11 @@ struct V10 {
   };
   /// Without conductivity (V10's series NOAC).
   struct Plain : Without<Entropy, ArtificialConductivity> {
-    static constexpr bool rates = true;
     using Kernels = Entropy::Kernels;
   };
-  using Lean = ByDimension<List<>, List<CubicSpline>, List<>>;
-  using Recipes = List<Entropy, Smoothed, Plain, Inviscid<Entropy, ViscosityValcke<>, Lean>,
-                       NoBalsara<Entropy, ViscosityValcke, Lean>>;
+  using Lean = ByDimension<List<>, List<CubicSpline>, List<Tabulated>>;
+  using Recipes = Union<List<Entropy, Smoothed, Plain>, LeanClassic<Entropy, ViscosityValcke, Lean>,
+                        LeanClassic<Plain, ViscosityValcke, Lean>>;
 };
 
 }  // namespace sphk
