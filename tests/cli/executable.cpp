@@ -177,8 +177,8 @@ TEST_F(Executable, NumbersThatGoWrongEndWithCode3AndKeepTheRun) {
   EXPECT_EQ(nlohmann::json::parse(read_text(file("bad/run.json")))["finished"], false);
 }
 
-// SIGTERM in a long run: a checkpoint is written and the exit code says so. The test's `timeout` gets it, which sends it
-// on to the program and to their process group.
+// SIGTERM in a long run: a checkpoint is written and the exit code says so. The test's `timeout` gets it, which sends
+// it on to the program and to their process group.
 TEST_F(Executable, ASignalStopsTheRunWithCode75) {
   const Result result = sphk(
       "run uniform -n 16 --set scene.lattice=cubic --t-end 1000 --out stopped & pid=$!; "

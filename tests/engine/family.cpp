@@ -282,7 +282,8 @@ TEST_P(V10Heating, IsThatOfV10) {
                                          {"conductivity.alpha", signal == "none" ? 0 : 0.7},
                                          {"conductivity.signal", signal == "v1"   ? 1
                                                                  : signal == "v2" ? 2
-                                                                                  : 0}}};
+                                                                                  : 0}},
+                             .all_terms = true};
   const BruteForce sums(gas, s);
   const auto &rho = sums.rho, &P = sums.P, &c = sums.c;
   std::vector<double> smooth(gas.size(), 0.0), conducted(gas.size(), 0.0), viscous(gas.size(), 0.0);
