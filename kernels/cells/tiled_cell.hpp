@@ -36,7 +36,7 @@ class TiledCell {
     const std::size_t from_sub = CellTile::entries * sizeof(T) % page;
     list_.data = memory + (after + (page + 3 * page / 4 - from_sub) % page) / sizeof(T);
     bound_targets();
-    frame_ = Frame<D>::of(bounds_, columns, begin());
+    frame_ = Frame<D>::of(bounds_, columns, begin() + std::countr_zero(targets));
   }
 
   int begin() const { return cell_ * cell_size; }

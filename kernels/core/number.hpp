@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/core/field_facts.hpp"
+
 namespace sphk {
 
 /// A number that users may set, owned by the term or pass that reads it: its key in scene files, default, meaning and
@@ -17,6 +19,7 @@ struct Number {
   const char* meaning;  ///< one line, with its equation
   double min = 0, max = 1e300;
   const char* words = nullptr;  ///< "this|that": users choose a word, and the number is its place
+  Unit unit{};
 };
 
 /// What a number that is on or off takes.

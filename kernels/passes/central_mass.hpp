@@ -6,10 +6,14 @@
 
 namespace sphk {
 
-inline constexpr Number central_mass{
-    .key = "gravity.central_mass", .standard = 0, .meaning = "G M of a mass at the origin that pulls the gas; 0: none"};
-inline constexpr Number gravity_softening{
-    .key = "gravity.softening", .standard = 0, .meaning = "of its potential - G M / sqrt(r^2 + softening^2)"};
+inline constexpr Number central_mass{.key = "gravity.central_mass",
+                                     .standard = 0,
+                                     .meaning = "G M of a mass at the origin that pulls the gas; 0: none",
+                                     .unit = {.length = 3, .time = -2}};
+inline constexpr Number gravity_softening{.key = "gravity.softening",
+                                          .standard = 0,
+                                          .meaning = "of its potential - G M / sqrt(r^2 + softening^2)",
+                                          .unit = {.length = 1}};
 
 /// A mass at the origin, which pulls all particles and does not move.
 struct CentralMass {

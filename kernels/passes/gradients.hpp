@@ -33,7 +33,9 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
   explicit FitVelocity(const State<S>& of) : Base{of} {}
 
   KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, FitCounts& counts) const {
-    Cell cell = Base::cell_of(team);
+    Base::for_targets_of(team, [&](Cell& cell) { fit(cell, counts); });
+  }
+  void fit(Cell& cell, FitCounts& counts) const {
     double sums[cell_size / batch][sums_size][batch];
     const int begin = cell.begin();
     for (int first = begin; first < cell.end(); first += batch)

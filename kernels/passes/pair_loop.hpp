@@ -24,15 +24,35 @@ struct PairLoop {
 
   State<S> state;
 
-  /// The cell of a team of one host thread.
-  Cell cell_of(const Team& team) const {
-    const int cell = state.active.cell(team.league_rank());
-    return Cell(team.team_scratch(scratch_level).get_shmem(Cell::scratch_bytes()), state.tree, state.columns, cell,
-                state.active.targets(state.tree, cell));
+  /// Calls f(cell) for the cell of a team of one host thread: once for all of its targets, or for one after the other
+  /// where the cell is too wide for that.
+  template <class F>
+  void for_targets_of(const Team& team, F&& f) const {
+    const int number = state.active.cell(team.league_rank());
+    const TargetMask targets = state.active.targets(state.tree, number);
+    void* const scratch = team.team_scratch(scratch_level).get_shmem(Cell::scratch_bytes());
+    const bool wide = is_wide(number);
+    for (TargetMask left = targets; left != 0; left = wide ? left & (left - 1) : 0) {
+      Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left);
+      f(cell);
+    }
   }
   /// Particle i in every lane, as its pairs see it.
   Values<Pack, D, TargetFields> target_of(const Cell& cell, int i) const {
     return load_relative<Pack, D>(TargetFields{}, state.columns, cell.frame(), i);
+  }
+
+ private:
+  /// Is the cell so wide, for a particle far from the others is in it, that floats do not resolve its smallest support?
+  bool is_wide(int cell) const {
+    if constexpr (std::is_same_v<T, double>) return false;
+    constexpr double widest = D == 1 ? 100 : 16;  // in supports: cells of even gas are 3 wide, in 1D 25
+    const Bounds<D> bounds = state.tree.node(1, cell);
+    double extent = 0, h_min = 1e300;
+    for (int d = 0; d < D; ++d) extent = max(extent, bounds.hi[d] - bounds.lo[d]);
+    const double* h = state.columns.template row<Support>();
+    for (int i = cell * cell_size, end = min(i + cell_size, state.n); i < end; ++i) h_min = min(h_min, h[i]);
+    return extent > widest * h_min;
   }
 };
 

@@ -50,13 +50,14 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team) const {
-    Cell cell = Base::cell_of(team);
-    Sums sums[cell_size];
-    const int begin = cell.begin(), n = cell.end() - begin;
-    for (int k = 0; k < n; ++k) set_zero(sums[k]);
-    cell.for_each_target(root(state.tree), [&](int i) { add_sums(cell, i, sums[i - begin]); });
-    for (int k = 0; k < n; ++k)
-      if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
+    Base::for_targets_of(team, [&](Cell& cell) {
+      Sums sums[cell_size];
+      const int begin = cell.begin(), n = cell.end() - begin;
+      for (int k = 0; k < n; ++k) set_zero(sums[k]);
+      cell.for_each_target(root(state.tree), [&](int i) { add_sums(cell, i, sums[i - begin]); });
+      for (int k = 0; k < n; ++k)
+        if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
+    });
   }
 
   void add_sums(Cell& cell, int i, Sums& sums) const {

@@ -111,7 +111,9 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, SupportCounts& counts) const {
-    Cell cell = Base::cell_of(team);
+    Base::for_targets_of(team, [&](Cell& cell) { search(cell, counts); });
+  }
+  void search(Cell& cell, SupportCounts& counts) const {
     const Bounds<D> all = root(state.tree);
     Task tasks[cell_size];
     const int begin = cell.begin(), n = cell.end() - begin;

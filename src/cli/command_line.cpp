@@ -31,8 +31,9 @@ std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc
     const std::string word(argv[k], std::find(argv[k], argv[k] + std::strlen(argv[k]), '='));
     const bool named = std::string(error.what()).find(word) != std::string::npos;
     const bool command = app == &root && k == 1;
-    if (!known.has(word) && (command || (named && word.starts_with("--"))))
-      hint += fmt::format("\n  {}: did you mean {}?", word, known.nearest(word));
+    if (known.has(word) || !(command || (named && word.starts_with("--")))) continue;
+    if (const std::string nearest = known.nearest(word); !nearest.empty())
+      hint += fmt::format("\n  {}: did you mean {}?", word, nearest);
   }
   const std::string help = app == &root ? "sphk --help" : fmt::format("sphk {} --help", app->get_name());
   return fmt::format("{}{}\nSee: {}", error.what(), hint, help);

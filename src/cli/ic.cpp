@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/io/check.hpp"
-#include "src/io/reader.hpp"
 
 namespace sphk {
 
@@ -14,13 +12,12 @@ namespace {
 
 int ic_check_command(const std::string& file) {
   const ReadResult content = read_particles(file, NonFinite::keep);
-  const auto findings = check_particles(content.particles);
+  Verdict verdict = judge(content);
+  if (const std::string doubt = dimension_in_doubt(content); !doubt.empty()) verdict.errors.push_back(doubt);
   fmt::print("{}: {} gas particles in {}D\n", file, content.particles.size(), content.particles.dimension);
-  for (const std::string& remark : content.remarks) fmt::print("  note: {}\n", remark);
-  for (const Finding& finding : findings)
-    fmt::print("  {}: {}\n", finding.severity == Finding::Severity::error ? "error" : "notice", to_text(finding));
-  const bool sound =
-      std::ranges::none_of(findings, [](const Finding& f) { return f.severity == Finding::Severity::error; });
+  for (const std::string& note : verdict.notes) fmt::print("  note: {}\n", note);
+  for (const std::string& error : verdict.errors) fmt::print("  error: {}\n", error);
+  const bool sound = verdict.errors.empty();
   fmt::print("{}\n", sound ? "A run can start from it." : "No run can start from it: mend the errors above.");
   return sound ? ExitCode::done : ExitCode::bad_input;
 }

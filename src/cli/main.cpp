@@ -1,4 +1,5 @@
-#include <fmt/format.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
@@ -8,20 +9,24 @@
 #include <string_view>
 
 #include "src/cli/command_line.hpp"
+#include "src/report/print.hpp"
 #include "src/run/failure.hpp"
+#include "src/run/kokkos_start.hpp"
 
 namespace {
 
 int perform(int argc, char** argv) {
   const sphk::Request request = sphk::parse_command_line(argc, argv);
   std::optional<Kokkos::ScopeGuard> kokkos;
-  if (request.computes) {
-    Kokkos::InitializationSettings settings;
-    settings.set_disable_warnings(true);
-    if (request.threads > 0) settings.set_num_threads(request.threads);
-    kokkos.emplace(settings);
-  }
+  if (request.computes) kokkos.emplace(sphk::kokkos_settings(request.threads));
   return request.act();
+}
+
+/// A file must not take the place of standard output that the user has closed, and get what is printed.
+void open_standard_streams() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
+  if (file > STDERR_FILENO) close(file);
 }
 
 /// Does the command line ask for JSON alone? Where it cannot be read as well.
@@ -32,16 +37,17 @@ bool wants_json(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, with a sentence
   try {
     return perform(argc, argv);
   } catch (...) {
     const sphk::Failure failure = sphk::current_failure();
     if (wants_json(argc, argv)) {
-      fmt::print("{}\n", failure.json());
+      sphk::print_if_possible(stdout, failure.json() + "\n");
     } else {
       std::fflush(stdout);
-      fmt::print(stderr, "error: {}\n", failure.message);
+      sphk::print_if_possible(stderr, "error: " + failure.message + "\n");
     }
     return failure.exit_code;
   }

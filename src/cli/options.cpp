@@ -42,8 +42,10 @@ void shortcut(CLI::App& app, Options& o, const std::string& name, const std::str
 
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
                       const std::string& doc) {
-  const auto take = [&path](const std::string& text) {
-    if (!text.empty()) path = text;
+  const auto take = [&path, name](const std::string& text) {
+    if (text.empty())
+      throw InputError(fmt::format("{} \"\": a name is wanted; leave {} out for the usual one", name, name));
+    path = text;
   };
   return app.add_option_function<std::string>(name, take, doc);
 }

@@ -54,7 +54,7 @@ void acts(CLI::App& app, Options& o, const std::function<int()>& act);
 /// An option that is short for `--set key=...`.
 void shortcut(CLI::App& app, Options& o, const std::string& name, const std::string& key, const std::string& type,
               const std::string& doc);
-/// An option with a path; as if it were not there where that is empty.
+/// An option with a path, which must not be empty.
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::optional<std::filesystem::path>& path,
                       const std::string& doc);
 /// Lets an option come often, with one value each.

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -11,6 +14,8 @@
 #include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
 #include "src/report/final_table.hpp"
+#include "src/report/print.hpp"
+#include "src/report/process.hpp"
 #include "src/run/dry_run.hpp"
 
 namespace sphk {
@@ -41,22 +46,25 @@ int run_command(const RunOptions& options) {
   RunRequest request = options.request;
   request.progress = options.json_log ? ProgressStyle::json : style_for(stdout);
   request.stop_on_signals = true;
+  if (request.walltime > 0) request.walltime = std::max(1e-9, request.walltime - age_of_this_process());
+  std::signal(SIGPIPE, SIG_IGN);  // whoever read what a run prints may go before its end
   const RunResult result = run(request);
   if (options.json_log)
-    fmt::print("{}\n", closing_object(result));
+    print_if_possible(stdout, closing_object(result) + "\n");
   else
-    fmt::print("\n{}\n{}\n", final_table(result.record), closing_words(result));
+    print_if_possible(stdout, fmt::format("\n{}\n{}\n", final_table(result.record), closing_words(result)));
   return result.record.finished ? ExitCode::done : ExitCode::stopped;
 }
 
 /// 90, 1:30 or 0:01:30 in seconds.
 double seconds_of(const std::string& text) {
   double seconds = 0;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ':');) {
+  int count = 0;
+  std::istringstream parts(text + ":");
+  for (std::string part; std::getline(parts, part, ':'); ++count) {
     char* end = nullptr;
     const double value = std::strtod(part.c_str(), &end);
-    if (part.empty() || *end != '\0' || !(value >= 0))
+    if (part.empty() || *end != '\0' || !(value >= 0) || !std::isfinite(value) || count == 3)
       throw InputError(fmt::format("--walltime {}: write seconds, M:S or H:M:S", text));
     seconds = 60 * seconds + value;
   }
@@ -83,7 +91,7 @@ void add_run(CLI::App& root, Options& o) {
            "folder of the results; default: SCENE-run, or SCENE-run-2, ... where that exists");
   app.add_option_function<std::string>(
          "--walltime", [&request](const std::string& text) { request.walltime = seconds_of(text); },
-         "stop with a checkpoint before so much wall-clock time is over: seconds, M:S or H:M:S")
+         "stop with a checkpoint before so much wall-clock time of this process is over: seconds, M:S or H:M:S")
       ->type_name("TIME");
   app.add_flag("--overwrite", request.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
@@ -93,9 +101,10 @@ void add_run(CLI::App& root, Options& o) {
       "  sphk run sedov --set scene.lattice=cubic --t-end 0.05 --out blast\n  sphk run my.toml --dry-run\n"
       "  sphk run galaxy.hdf5 --t-end 0.2\n\n"
       "The folder gets snapshots (snap_0000.hdf5, ...), history.csv, run.json and scene.used.toml.\n"
-      "SIGTERM, SIGINT, SIGUSR1, a file named stop in the run's folder and --walltime end the step, leave a checkpoint "
-      "and exit\nwith 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` continues bit by bit, on as "
-      "many threads.\n"
+      "SIGTERM, SIGINT, SIGUSR1, SIGHUP, SIGXCPU, a file named stop in the run's folder and --walltime end the step, "
+      "leave a\ncheckpoint and exit with 75; SIGUSR2 leaves a checkpoint and goes on. `sphk run --resume DIR` "
+      "continues bit by bit, on as\nmany threads. A run goes on in silence where nobody reads what it prints: its "
+      "results are in its folder, which\nbelongs to it (run.lock) until its end.\n"
       "Exit codes: 0 done, 2 bad input, 3 numerics, 4 device or memory, 75 stopped with a checkpoint.");
   computes(app, o, [&o, &request] {
     if (request.what.empty() && !request.resume) throw InputError("sphk run takes a scene or file, or --resume DIR");

@@ -35,6 +35,8 @@ class Engine final : public Simulation {
         seconds_(facts_.passes.size()) {
     for (std::size_t k = 0; k < facts_.passes.size(); ++k)
       if (facts_.passes[k].wanted(run_.given)) wanted_.push_back(k);
+    if (facts_.density_pass != facts_.support_pass)
+      settle_at(energies_at(run_.state, component_offset<D, Density, typename L::Fields>));
     run_passes();
     require_finite();
     searches_ += run_.searches;
@@ -77,7 +79,10 @@ class Engine final : public Simulation {
       Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
     }
     clock.dt = 0;
-    heat_nearest(run_.state, place, energy);
+    run_.state.active.everyone = true;
+    const Energies u = energies_at(run_.state, run_.state.state_density_row);
+    heat_nearest(run_.state, u, place, energy);
+    settle_at(u);
     heated_ += energy;
     run_passes();
     require_finite();
@@ -182,6 +187,10 @@ class Engine final : public Simulation {
     }
   }
 
+  void settle_at(const Energies& u) {
+    take_energies(run_.state, u, [&] { passes_->run(facts_.density_pass, run_); });
+  }
+
   bool all_in_step() const {
     const StepClock& clock = run_.state.clock;
     return clock.now == 0 || clock.now == StepClock::block;
@@ -190,7 +199,7 @@ class Engine final : public Simulation {
   void begin_step(double t_end) {
     StepClock& clock = run_.state.clock;
     clock.dt = next_dt(t_end);
-    if (!(run_.time + clock.dt > run_.time)) fail_without_progress(stuck_particle(), clock.dt);
+    if (!(run_.time + clock.dt > run_.time)) throw StuckError(StuckReason::no_progress, stuck_particle());
     end_of_step_ = t_end - run_.time <= clock.dt * (1 + 1e-12) ? t_end : run_.time + clock.dt;
   }
 
@@ -224,16 +233,16 @@ class Engine final : public Simulation {
   }
 
   void require_finite() const {
-    if (!(run_.limit.dt > 0)) fail_not_finite(stuck_particle());
+    if (!(run_.limit.dt > 0)) throw StuckError(StuckReason::not_finite, stuck_particle());
   }
   void require_tick() const {
     const double tick = run_.state.clock.tick;
-    if (!(run_.limit.dt >= tick)) fail_below_shortest(stuck_particle(), run_.limit.dt, tick);
+    if (!(run_.limit.dt >= tick)) throw StuckError(StuckReason::below_the_ticks, stuck_particle());
   }
   StuckParticle stuck_particle() const {
     StepReport report;
     note_limiting_particle(run_.state, run_.limit.particle, report);
-    return {report.limiting_id, report.limiting_x, run_.time, run_.step};
+    return {report.limiting_id, report.limiting_x, run_.time, run_.step, run_.limit.dt, run_.state.clock.tick};
   }
 
   /// The limit's dt, cut to end at t_end without a sliver of a step after it.

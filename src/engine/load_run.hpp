@@ -9,23 +9,22 @@ namespace sphk {
 
 namespace detail {
 
-/// A first support radius from the volume of each particle's cell: the searches start near their ends.
+/// A first support radius from the volume of each particle's cell: the searches start near their ends. One that comes
+/// with the particles is not asked: no result may hang on it, nor the time that the search takes.
 template <class L>
 struct GuessSupport {
   Particles<L> state;
   double fallback;  ///< where a cell has no volume
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     constexpr int D = L::dimension;
-    if (state.template at<Support>(i) > 0) return;
     const int cell = i / cell_size;
     const Bounds<D>& b = state.tree.node(1, cell);
     const int held = min(cell_size, state.n - cell * cell_size);
     double longest = 0, volume = 1;
     for (int d = 0; d < D; ++d) longest = max(longest, b.hi[d] - b.lo[d]);
     for (int d = 0; d < D; ++d) volume *= max(b.hi[d] - b.lo[d], 0.1 * longest);
-    const double per_neighbour = volume / (held * unit_sphere<D>);
-    const double h = Kokkos::pow(state.parameters.neighbours * per_neighbour, 1.0 / D);
-    state.template at<Support>(i) = min(longest > 0 ? h : fallback, state.parameters.h_max);
+    const double h = Kokkos::pow(state.parameters.neighbours * volume / (held * unit_sphere<D>), 1.0 / D);
+    state.template at<Support>(i) = min(h > 0 ? h : fallback, state.parameters.h_max);
   }
 };
 
@@ -41,7 +40,7 @@ struct ThermalFromEnergy {
 
 /// Copies particles to the columns, with their specific energies as thermal variable.
 template <class L>
-void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, int alpha_row) {
+void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, const Scale& scale, int alpha_row) {
   constexpr int D = L::dimension;
   const auto stride = static_cast<std::size_t>(state.columns.stride);
   auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, state.columns.data);
@@ -49,14 +48,15 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, in
   const auto row = [&]<class F>(F, int component) {
     return host.data() + (component_offset<D, F, BaseFields> + component) * stride;
   };
+  const double length = 1 / scale.factor(length_unit), speed = 1 / scale.factor(speed_unit),
+               mass = 1 / scale.factor(mass_unit), specific_energy = 1 / scale.factor(specific_energy_unit);
   for (int i = 0; i < state.n; ++i) {
     for (int d = 0; d < D; ++d) {
-      row(Position{}, d)[i] = particles.x[i][d];
-      row(Velocity{}, d)[i] = particles.v[i][d];
+      row(Position{}, d)[i] = length * particles.x[i][d];
+      row(Velocity{}, d)[i] = speed * particles.v[i][d];
     }
-    row(Mass{}, 0)[i] = particles.m[i];
-    row(Thermal{}, 0)[i] = particles.u[i];
-    row(Support{}, 0)[i] = particles.h.empty() ? 0 : particles.h[i];
+    row(Mass{}, 0)[i] = mass * particles.m[i];
+    row(Thermal{}, 0)[i] = specific_energy * particles.u[i];
     if (alpha_row >= 0) host(alpha_row * stride + i) = particles.alpha.empty() ? 0 : particles.alpha[i];
     ids(i) = particles.id.empty() ? static_cast<std::uint64_t>(i) + 1 : particles.id[i];
   }
@@ -90,18 +90,20 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   constexpr int D = L::dimension;
   using Columns = typename Particles<L>::Columns;
   const int n = static_cast<int>(given.size());
+  const Scale scale = settings.own_units.value_or(Scale{});
+  const double length = 1 / scale.factor(length_unit);
   Domain<D> domain{};
   for (int d = 0; d < D; ++d) {
-    domain.lower[d] = given.box.lower[d];
-    domain.period[d] = given.box.periodic[d] ? given.box.size[d] : 0;
+    domain.lower[d] = length * given.box.lower[d];
+    domain.period[d] = given.box.periodic[d] ? length * given.box.size[d] : 0;
   }
   const int stride = Columns::padded(n);
   const ColumnNumbers rows("particles", static_cast<std::size_t>(facts.rows) * static_cast<std::size_t>(stride));
   Run<L> run(
       Particles<L>{n, Columns(rows, stride), Ids("ids", n), CellTree<D>(n, domain), parameters_of(given, settings)});
   run.state.state_density_row = facts.state_density_row;
-  detail::copy_to_columns(run.state, given, facts.alpha_row);
-  run.time = given.time;
+  detail::copy_to_columns(run.state, given, scale, facts.alpha_row);
+  run.time = given.time / scale.factor(time_unit);
   run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell
   run.given = given_of(settings);
   run.state.central = CentralMass(run.given);
@@ -109,7 +111,8 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   if (has_own_steps(settings)) detail::allow_individual_steps(run.state, run.schedule, settings);
   sort_cells(run.state, run.sorter, run.schedule, run.step);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
-  Kokkos::parallel_for("guess support", all, detail::GuessSupport<L>{run.state, support_of_even_gas(given, settings)});
+  Kokkos::parallel_for("guess support", all,
+                       detail::GuessSupport<L>{run.state, length * support_of_even_gas(given, settings)});
   find_supports(run);
   Kokkos::parallel_for("thermal from energy", all, detail::ThermalFromEnergy<L>{run.state});
   return run;

@@ -15,7 +15,6 @@ double support_of_even_gas(const ParticleSet& particles, const SimulationSetting
 }
 
 double support_cap(const ParticleSet& particles, const SimulationSettings& settings) {
-  if (settings.h_max > 0) return settings.h_max;
   double diagonal2 = 0;
   bool open = false;
   for (int d = 0; d < particles.dimension; ++d) {
@@ -37,10 +36,11 @@ bool has_own_steps(const SimulationSettings& settings) {
 }
 
 Parameters parameters_of(const ParticleSet& particles, const SimulationSettings& settings) {
+  const double length = settings.own_units.value_or(Scale{}).factor(length_unit);
   return {.neighbours = settings.neighbours,
           .gamma = settings.gamma,
           .courant = settings.courant,
-          .h_max = support_cap(particles, settings)};
+          .h_max = settings.h_max > 0 ? settings.h_max : support_cap(particles, settings) / length};
 }
 
 }  // namespace sphk

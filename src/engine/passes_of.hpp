@@ -30,6 +30,17 @@ constexpr int state_density_row(int row) {
     return row;
 }
 
+/// Does pass P compute the field in this row?
+template <class R, class L, class P>
+constexpr bool writes_row(int row) {
+  bool found = false;
+  for_each_type(typename PassIn<P, R>::Writes{}, [&]<class F>() {
+    if constexpr (contains<F, typename L::Fields>)
+      found = found || component_offset<L::dimension, F, typename L::Fields> == row;
+  });
+  return found;
+}
+
 }  // namespace detail
 
 /// What a recipe with layout L tells the run that it serves, but for what hangs on kernel and pair arithmetic. Apart
@@ -44,6 +55,11 @@ template <class R, class L>
     if (std::is_same_v<P, SmoothingLength>) facts.support_pass = static_cast<int>(facts.passes.size());
     facts.passes.push_back(detail::pass_facts<P>());
     facts.state_density_row = detail::state_density_row<L, P>(facts.state_density_row);
+  });
+  int pass = 0;
+  for_each_type(typename R::StepPasses{}, [&]<class P>() {
+    if (detail::writes_row<R, L, P>(facts.state_density_row)) facts.density_pass = pass;
+    ++pass;
   });
   if constexpr (contains<Alpha, typename L::Fields>)
     facts.alpha_row = component_offset<L::dimension, Alpha, typename L::Fields>;

@@ -26,6 +26,7 @@ struct CompiledFacts {
   int alpha_row = -1;                  ///< of the switch, which initial conditions may set; -1: there is none
   int state_density_row = 0;           ///< of the columns: the density of the equations of motion
   int support_pass = 0;                ///< the place of the search for support radii in a step
+  int density_pass = 0;                ///< and of the pass that computes the density of the equations of motion
   std::vector<PassFacts> passes;       ///< in the order of a step
   double bytes_per_particle = 0, flops_per_pair = 0;
 };

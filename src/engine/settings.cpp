@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/hint.hpp"
 
 namespace sphk {
 
@@ -26,6 +29,21 @@ int edit_distance(std::string_view a, std::string_view b) {
     }
   }
   return row.back();
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+/// A choice that is written in another case.
+Value in_the_choices_case(const Key& key, const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (!text || std::ranges::find(key.choices, *text) != key.choices.end()) return value;
+  const auto same = [&](const std::string& choice) { return lower_case(choice) == lower_case(*text); };
+  if (std::ranges::count_if(key.choices, same) != 1) return value;
+  return *std::ranges::find_if(key.choices, same);
 }
 
 const char* type_name(const Value& value) {
@@ -52,6 +70,9 @@ void check_range(const Key& key, const Value& value) {
     number = *real;
   else
     return;
+  if (!std::isfinite(number))
+    throw InputError(fmt::format("{} = {}: a finite number is wanted here; it must lie between {} and {}", key.name,
+                                 to_text(value), key.min, key.max));
   if (!(number >= key.min && number <= key.max))
     throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
 }
@@ -124,7 +145,7 @@ void Settings::remove(std::string_view name) {
 
 void Settings::set(std::string_view name, const Value& value, Origin origin) {
   Key& key = const_cast<Key&>(find(name));
-  const Value typed = converted(key, value);
+  const Value typed = in_the_choices_case(key, converted(key, value));
   check_range(key, typed);
   key.value = typed;
   key.origin = origin;
@@ -142,13 +163,22 @@ bool Settings::has(std::string_view name) const {
   return std::ranges::any_of(keys_, [&](const Key& key) { return key.name == name; });
 }
 
+/// Whole names are compared, their last parts, and a last part with sections: "[sph] viscosty" is near to a key of
+/// [viscosity]. Near is what differs in a third of its letters at most.
 std::string Settings::nearest(std::string_view name) const {
   const auto leaf = [](std::string_view path) { return path.substr(path.rfind('.') + 1); };
   std::string best;
-  int best_distance = std::numeric_limits<int>::max();
+  int least = std::numeric_limits<int>::max();
   for (const Key& key : keys_) {
-    const int distance = std::min(edit_distance(name, key.name), 1 + edit_distance(leaf(name), leaf(key.name)));
-    if (distance < best_distance) best_distance = distance, best = key.name;
+    const std::string_view known = key.name, section = known.substr(0, known.size() - leaf(known).size());
+    const std::pair<std::string_view, std::string_view> pairs[] = {
+        {name, known}, {leaf(name), leaf(known)}, {leaf(name), section.substr(0, section.find('.'))}};
+    for (int farther = 0; const auto& [given, other] : pairs) {
+      const int distance = edit_distance(lower_case(given), lower_case(other));
+      const int near = given.size() < 3 ? 0 : static_cast<int>(given.size() + 1) / 3;
+      if (distance <= near && distance + farther < least) least = distance + farther, best = known;
+      ++farther;
+    }
   }
   return best;
 }
@@ -156,7 +186,8 @@ std::string Settings::nearest(std::string_view name) const {
 const Key& Settings::find(std::string_view name) const {
   const auto it = std::ranges::find(keys_, name, &Key::name);
   if (it == keys_.end())
-    throw InputError(fmt::format("there is no key \"{}\"; did you mean \"{}\"?", name, nearest(name)));
+    throw InputError(
+        fmt::format("there is no key \"{}\"; {}", name, hint(nearest(name), "`sphk show SCENE` lists them")));
   return *it;
 }
 

@@ -58,7 +58,7 @@ class Settings {
   bool has(std::string_view name) const;
   bool set_by_user(std::string_view name) const { return find(name).origin > Origin::scene; }
   const std::vector<Key>& keys() const { return keys_; }
-  /// The known name closest to `name` by edit distance, for error messages.
+  /// The known name that is near to `name` by edit distance, in any section, for error messages; empty where none is.
   std::string nearest(std::string_view name) const;
 
  private:

@@ -2,12 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kernels/core/number.hpp"
 #include "src/engine/particle_set.hpp"
 #include "src/engine/saved_state.hpp"
+#include "src/engine/scale.hpp"
 
 namespace sphk {
 
@@ -29,6 +31,8 @@ struct SimulationSettings {
   double max_dt = 0;         ///< 0: no cap
   Given numbers;             ///< of terms and passes, by key, such as {"viscosity.alpha", 0.5}
   bool all_terms = false;    ///< terms that are idle are computed as well
+  /// Of a run that goes on from a saved state: scale_of(saved). Else the run chooses.
+  std::optional<Scale> own_units{};
 };
 
 /// Conserved sums and extremes over all particles, at the current time.
@@ -37,6 +41,7 @@ struct Totals {
   double potential = 0;  ///< of the gas and the central mass
   double heated = 0;     ///< energy that Simulation::heat has added
   Array3 momentum{}, angular_momentum{};
+  double momentum_sizes = 0, angular_momentum_sizes = 0;  ///< sums of m |v| and m |x cross v|
   double max_speed = 0;
   double min_density = 0, max_density = 0, min_pressure = 0, max_pressure = 0, min_entropy = 0, max_entropy = 0;
   double energy() const { return kinetic + thermal + potential; }

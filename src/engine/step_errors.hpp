@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "src/engine/errors.hpp"
 #include "src/engine/particle_set.hpp"
 
 namespace sphk {
@@ -12,13 +13,21 @@ struct StuckParticle {
   Array3 x{};
   double time = 0;
   long step = 0;
+  double dt = 0;        ///< what it asks for
+  double shortest = 0;  ///< step of the hierarchy
 };
 
-/// NumericsErrors that name the particle and the remedy. The next time-step is not a positive number;
-[[noreturn]] void fail_not_finite(const StuckParticle& particle);
-/// a step of dt does not change the time;
-[[noreturn]] void fail_without_progress(const StuckParticle& particle, double dt);
-/// it asks for less than the shortest step of the hierarchy.
-[[noreturn]] void fail_below_shortest(const StuckParticle& particle, double dt, double shortest);
+enum class StuckReason {
+  not_finite,       ///< the next time-step is not a positive number
+  no_progress,      ///< a step of dt does not change the time
+  below_the_ticks,  ///< it asks for less than the shortest step of the hierarchy
+};
+
+/// Names the particle and the remedy.
+struct StuckError : NumericsError {
+  StuckReason reason;
+  StuckParticle particle;
+  StuckError(StuckReason why, const StuckParticle& stuck);
+};
 
 }  // namespace sphk

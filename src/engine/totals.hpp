@@ -8,6 +8,7 @@ namespace sphk::detail {
 struct TotalsSum {
   double mass = 0, kinetic = 0, thermal = 0, potential = 0;
   double p[3] = {0, 0, 0}, L[3] = {0, 0, 0};
+  double p_sizes = 0, L_sizes = 0;
   double max_speed2 = 0;
   double lowest[3] = {1e300, 1e300, 1e300};  ///< of rho, P, A
   double highest[3] = {0, 0, 0};
@@ -17,6 +18,8 @@ struct TotalsSum {
     kinetic += b.kinetic;
     thermal += b.thermal;
     potential += b.potential;
+    p_sizes += b.p_sizes;
+    L_sizes += b.L_sizes;
     max_speed2 = max(max_speed2, b.max_speed2);
     for (int k = 0; k < 3; ++k) {
       p[k] += b.p[k];
@@ -49,6 +52,8 @@ struct SumTotals {
       one.p[k] = m * v[k];
       one.L[k] = m * (x[a] * v[b] - x[b] * v[a]);
     }
+    one.p_sizes = m * Kokkos::sqrt(v2);
+    one.L_sizes = Kokkos::sqrt(one.L[0] * one.L[0] + one.L[1] * one.L[1] + one.L[2] * one.L[2]);
     const double values[3] = {rho, P, P / Kokkos::pow(rho, gamma)};
     for (int k = 0; k < 3; ++k) one.lowest[k] = one.highest[k] = values[k];
     sum += one;
@@ -79,6 +84,8 @@ Totals totals(const Particles<L>& state) {
   totals.potential = sum.potential;
   totals.max_speed = std::sqrt(sum.max_speed2);
   for (int k = 0; k < 3; ++k) totals.momentum[k] = sum.p[k], totals.angular_momentum[k] = sum.L[k];
+  totals.momentum_sizes = sum.p_sizes;
+  totals.angular_momentum_sizes = sum.L_sizes;
   totals.min_density = sum.lowest[0], totals.max_density = sum.highest[0];
   totals.min_pressure = sum.lowest[1], totals.max_pressure = sum.highest[1];
   totals.min_entropy = sum.lowest[2], totals.max_entropy = sum.highest[2];

@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "src/engine/errors.hpp"
 
@@ -24,41 +26,87 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-bool sync_to_disk(int file) {
+bool synced_to_disk(int file) {
   return fsync(file) == 0 || errno == EINVAL;  // EINVAL: this file system cannot sync
 }
 
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+fs::path temporary_of(const fs::path& path) {
+  return folder_of(path) / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
+}
+
 /// Each of the steps; false with errno set at the first that fails.
-bool replace(const fs::path& path, const fs::path& temporary, std::string_view bytes) {
+bool write_new(const fs::path& temporary, std::string_view bytes) {
   unlink(temporary.c_str());  // of a killed process with our number, or a link that somebody put there
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (file < 0) return false;
-  const bool written = write_all(file, bytes) && sync_to_disk(file);
+  const bool written = write_all(file, bytes) && synced_to_disk(file);
   const int reason = errno;
   const bool closed = close(file) == 0;  // network file systems report a full disk here
   if (!written) errno = reason;
-  return written && closed && std::rename(temporary.c_str(), path.c_str()) == 0;
+  return written && closed;
+}
+
+/// A second name for the file, or its only one where the file system knows no second; false with errno set.
+bool name_exclusively(const fs::path& temporary, const fs::path& path) {
+  if (link(temporary.c_str(), path.c_str()) == 0) return true;
+  if (errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS) return false;
+  return renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
 }
 
 }  // namespace
 
+std::optional<std::string> name_of_temporary(std::string_view name) {
+  constexpr std::string_view begin = ".", end = ".tmp";
+  if (!name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;
+  name.remove_suffix(end.size());
+  const auto number = name.find_last_not_of("0123456789");
+  if (number == 0 || number + 1 == name.size() || name[number] != '.') return std::nullopt;
+  return std::string(name.substr(begin.size(), number - begin.size()));
+}
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void sync_to_disk(const fs::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = file >= 0 && synced_to_disk(file);
+  const std::string reason = std::strerror(errno);
+  if (file >= 0) close(file);
+  if (!synced) throw InputError(fmt::format("{} cannot be brought to the disk ({})", path.string(), reason));
+}
+
+bool make_exclusively(const fs::path& path, std::string_view bytes) {
+  const fs::path temporary = temporary_of(path);
+  const bool made = write_new(temporary, bytes) && name_exclusively(temporary, path);
+  const int reason = errno;
+  unlink(temporary.c_str());
+  errno = reason;
+  return made;
+}
+
 void write_atomically(const fs::path& path, std::string_view bytes) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(path);
   if (std::error_code error; !fs::is_directory(folder, error))
     throw InputError(
         fmt::format("{0}: there is no folder {1}; make it with: mkdir -p {1}", path.string(), folder.string()));
   if (std::error_code error; fs::exists(path, error) && !fs::is_regular_file(path, error))
     throw InputError(
         fmt::format("{}: a directory or a device of this name is in the way; choose another name", path.string()));
-  const fs::path temporary = folder / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
-  if (!replace(path, temporary, bytes)) {
+  const fs::path temporary = temporary_of(path);
+  if (!write_new(temporary, bytes) || std::rename(temporary.c_str(), path.c_str()) != 0) {
     const std::string reason = std::strerror(errno);
     unlink(temporary.c_str());
     throw InputError(fmt::format("{}: {:.3g} MB cannot be written ({}); make room or choose another folder",
                                  path.string(), static_cast<double>(bytes.size()) / 1e6, reason));
   }
   if (const int entries = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entries >= 0) {
-    sync_to_disk(entries);  // the new name itself; the data are safe already
+    synced_to_disk(entries);  // the new name itself; the data are safe already
     close(entries);
   }
 }

@@ -79,10 +79,27 @@ std::vector<Array3> wrapped(const ParticleSet& p) {
   return x;
 }
 
-bool outside(const Box& box, int dimension, const Array3& x) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-    if (x[k] < box.lower[k] || x[k] > box.lower[k] + box.size[k]) return true;
+/// Whether it is more than `lengths` of the box beyond an end of it; along periodic axes only, where those count.
+bool outside(const ParticleSet& p, std::size_t i, double lengths, bool periodic_only) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.dimension); ++k) {
+    const double lower = p.box.lower[k], size = p.box.size[k], margin = lengths * size;
+    if (periodic_only && !p.box.periodic[k]) continue;
+    if (p.x[i][k] < lower - margin || p.x[i][k] > lower + size + margin) return true;
+  }
   return false;
+}
+
+/// A few particles may have left a periodic box and be wrapped into it; many that are far out have another unit.
+void find_outside(Collector& collect, const ParticleSet& p) {
+  constexpr std::size_t many = 50;  // one in so many
+  const auto far = [&](std::size_t i) { return outside(p, i, 1, true); };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) count += far(i);
+  if (count * many > p.size())
+    collect.rows(Severity::error,
+                 "more than a box length outside the periodic box (BoxSize must be in the unit of Coordinates)", far);
+  else
+    collect.rows(Severity::notice, "outside the box", [&](std::size_t i) { return outside(p, i, 0, false); });
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ std::vector<Finding> check_particles(const ParticleSet& p) {
   collect.repeats(Severity::notice, "at exactly the place of another one",
                   sorted_rows(n, [&](std::size_t i) { return x[i]; }),
                   [&](std::size_t a, std::size_t b) { return finite(x[a]) && x[a] == x[b]; });
-  collect.rows(Severity::notice, "outside the box", [&](std::size_t i) { return outside(p.box, p.dimension, p.x[i]); });
+  find_outside(collect, p);
   return std::move(collect).findings();
 }
 
@@ -122,6 +139,35 @@ std::string to_text(const Finding& finding) {
     text += fmt::format("{}row {} (id {}) at ({:.6g}, {:.6g}, {:.6g})",
                         &index == &finding.examples[0].index ? "" : "; ", index, id, x[0], x[1], x[2]);
   return finding.count > finding.examples.size() ? text + "; ..." : text;
+}
+
+std::string dimension_in_doubt(const ReadResult& content) {
+  const ParticleSet& gas = content.particles;
+  if (content.dimension_said || gas.size() < 2) return "";
+  const auto same = [&](std::size_t k) {
+    return std::ranges::all_of(gas.x, [&](const Array3& x) { return x[k] == gas.x[0][k]; });
+  };
+  const auto dimension = static_cast<std::size_t>(gas.dimension);
+  std::vector<char> flat;
+  for (std::size_t k = 0; k < dimension; ++k)
+    if (same(k)) flat.push_back("xyz"[k]);
+  if (flat.empty() || flat.size() == dimension) return "";
+  const auto meant = dimension - flat.size();
+  const bool last = flat[0] == "xyz"[meant];
+  return fmt::format(
+      "all particles have the same {}: say whether the gas is {}D or a sheet in {}D, by scene.dimension={} or {}, or "
+      "by "
+      "the attribute Dimension of Header{}",
+      fmt::join(flat, " and "), meant, dimension, meant, dimension,
+      last ? "" : fmt::format("; gas of {}D lies along {}", meant, meant == 1 ? "x" : "x and y"));
+}
+
+Verdict judge(const ReadResult& content) {
+  Verdict verdict{content.remarks, {}};
+  if (content.particles.size() == 0) verdict.errors.emplace_back("it holds no gas particles: at least one is needed");
+  for (const Finding& finding : check_particles(content.particles))
+    (finding.severity == Severity::error ? verdict.errors : verdict.notes).push_back(to_text(finding));
+  return verdict;
 }
 
 }  // namespace sphk

@@ -8,18 +8,25 @@
 
 namespace sphk {
 
-/// A run as it can be gone on with: the simulation, and what the loop around it knows.
+/// The version of what a checkpoint holds and of how a simulation's saved state is laid out: to be raised with each
+/// change of either, so that no run goes on from a state that means something else.
+inline constexpr int checkpoint_layout = 1;
+
+/// A run as it can be gone on with: the simulation, and what is around it.
 struct Checkpoint {
   SavedState state;
-  std::string loop;  ///< JSON
+  std::string loop;     ///< what the loop knows, as JSON
+  std::string history;  ///< the text of history.csv until then
+  std::string scene;    ///< the text of scene.used.toml; written as that of the snapshot
 };
 
-/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; it appears under its name only when it is
-/// complete and on the disk. Errors as for write_snapshot.
+/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; its scene's text is that of `info`. It appears
+/// under its name only when it is complete and on the disk. Errors as for write_snapshot.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint, const Snapshot& snapshot,
                       const SnapshotInfo& info);
 
-/// Reads it back. Throws InputError where the file is none, or its checksum tells that it is damaged.
+/// Reads it back. Throws InputError where the file is none, is of another layout, or its checksum tells that it is
+/// damaged.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace sphk

@@ -28,6 +28,16 @@ hdf5::Dataset require(const hdf5::Group& gas, Names names) {
                                fmt::join(gas.members(), ", ")));
 }
 
+/// sphk knows no composition, without which a temperature is no energy.
+hdf5::Dataset require_energies(const hdf5::Group& gas) {
+  const Names names = {"InternalEnergies", "InternalEnergy"};
+  if (!find(gas, names) && find(gas, {"Temperatures", "Temperature"}))
+    throw InputError(gas.where() +
+                     ": there are temperatures, but no InternalEnergies; write the specific thermal energies k T / "
+                     "((gamma - 1) mu m_H), in the file's units");
+  return require(gas, names);
+}
+
 [[noreturn]] void wrong_shape(const hdf5::Dataset& dataset, const std::string& wanted) {
   throw InputError(fmt::format("{}: its shape is ({}), but {} is wanted", dataset.where(),
                                fmt::join(dataset.shape(), ", "), wanted));
@@ -91,6 +101,14 @@ std::vector<std::uint64_t> read_ids(const hdf5::Dataset& dataset, std::size_t ro
   return {values.begin(), values.end()};
 }
 
+/// Before anything is read: so many would not fit into memory either.
+void require_countable(const hdf5::Dataset& coordinates, std::size_t before) {
+  const double rows = static_cast<double>(coordinates.shape()[0]) + static_cast<double>(before);
+  if (rows > static_cast<double>(most_particles))
+    throw InputError(fmt::format("{}: {:.0f} gas particles are more than sphk can count, {}; take fewer",
+                                 coordinates.where(), rows, most_particles));
+}
+
 template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -101,11 +119,12 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 void add_gas(ParticleSet& gas, const hdf5::Group& group, double table_mass, NonFinite non_finite) {
   const hdf5::Dataset coordinates = require(group, {"Coordinates"});
   gas.dimension = static_cast<int>(columns_of(coordinates, 3));
+  require_countable(coordinates, gas.size());
   const std::vector<Array3> x = read_vectors(coordinates, std::nullopt, non_finite);
   const auto scalars = [&](const hdf5::Dataset& dataset) { return read_values(dataset, 1, x.size(), non_finite); };
   append(gas.x, x);
   append(gas.v, read_vectors(require(group, {"Velocities", "Velocity"}), x.size(), non_finite));
-  append(gas.u, scalars(require(group, {"InternalEnergies", "InternalEnergy"})));
+  append(gas.u, scalars(require_energies(group)));
   if (!find(group, {"Masses", "Mass"}) && table_mass > 0)
     gas.m.resize(gas.x.size(), table_mass);
   else

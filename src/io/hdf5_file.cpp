@@ -1,12 +1,17 @@
 #include "src/io/hdf5_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/hdf5_number.hpp"
+#include "src/io/input_file.hpp"
 
 namespace sphk::hdf5 {
 
@@ -14,9 +19,6 @@ namespace {
 
 /// Longest attribute that is read, bytes: a mutilated file may claim any length.
 constexpr std::size_t max_attribute_size = std::size_t{1} << 24;
-
-/// deflate cannot shrink data by more than this factor (zlib's technical notes: 1032:1).
-constexpr double max_compression = 1032;
 
 std::string hdf5_reason() {
   std::string reason;
@@ -32,25 +34,15 @@ std::string hdf5_reason() {
   throw InputError(reason.empty() ? message : fmt::format("{} (HDF5: {})", message, reason));
 }
 
-/// A plain integer or real of 1 to 8 bytes in either byte order: HDF5 1.10 writes past its own stack when a damaged
-/// file makes it convert from a type with absurd bit fields.
-bool is_plain_number(hid_t type) {
-  for (const hid_t plain :
-       {H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE, H5T_STD_I8LE,  H5T_STD_I16LE, H5T_STD_I32LE,
-        H5T_STD_I64LE,  H5T_STD_U8LE,   H5T_STD_U16LE,  H5T_STD_U32LE,  H5T_STD_U64LE, H5T_STD_I8BE,  H5T_STD_I16BE,
-        H5T_STD_I32BE,  H5T_STD_I64BE,  H5T_STD_U8BE,   H5T_STD_U16BE,  H5T_STD_U32BE, H5T_STD_U64BE})
-    if (H5Tequal(type, plain) > 0) return true;
-  return false;
-}
-
-/// Bytes that a dataset takes in the file: what its header says, but no more than the file has. Only data in other
-/// files may be more, those of a virtual dataset or of external storage.
-double stored_size(hid_t dataset, hid_t properties) {
-  const auto said = static_cast<double>(H5Dget_storage_size(dataset));
-  if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0) return said;
-  const Handle file(H5Iget_file_id(dataset), H5Fclose);
-  hsize_t size = 0;
-  return H5Fget_filesize(file.get(), &size) < 0 ? said : std::min(said, static_cast<double>(size));
+/// Why a file cannot be opened, beyond what HDF5 says: another program holds its lock, or its file system has none.
+std::string lock_remark(const std::filesystem::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return "";
+  const bool locked = flock(file, LOCK_SH | LOCK_NB) != 0;
+  close(file);
+  return locked ? ": it is locked, by a program that writes it or by a file system without locks; wait for the program "
+                  "to end, or set HDF5_USE_FILE_LOCKING=FALSE in the environment"
+                : "";
 }
 
 void silence() {
@@ -116,7 +108,7 @@ std::vector<double> Object::numbers_or(const std::string& name, std::vector<doub
 std::vector<double> Object::numbers(const std::string& name) const {
   const Handle attribute = this->attribute(name);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  if (!is_plain_number(type.get())) fail(fmt::format("the attribute \"{}\" is not a number", name));
+  if (!hdf5::is_number(type.get())) fail(fmt::format("the attribute \"{}\" is not a number", name));
   const Handle extent(H5Aget_space(attribute.get()), H5Sclose);
   const hssize_t count = H5Sget_simple_extent_npoints(extent.get());
   if (count < 0 || static_cast<std::size_t>(count) > max_attribute_size / sizeof(double))
@@ -124,6 +116,11 @@ std::vector<double> Object::numbers(const std::string& name) const {
   std::vector<double> values(static_cast<std::size_t>(count));
   if (count > 0) read_attribute(name, attribute, H5T_NATIVE_DOUBLE, values.data());
   return values;
+}
+
+bool Object::is_text(const std::string& name) const {
+  const Handle type(H5Aget_type(attribute(name).get()), H5Tclose);
+  return H5Tget_class(type.get()) == H5T_STRING;
 }
 
 std::string Object::text(const std::string& name) const {
@@ -165,7 +162,7 @@ void Object::write_attribute(const std::string& name, hid_t type, const Handle& 
 }
 
 bool Dataset::is_number() const {
-  return is_plain_number(type().get());
+  return hdf5::is_number(type().get());
 }
 
 std::vector<hsize_t> Dataset::shape() const {
@@ -177,20 +174,14 @@ std::vector<hsize_t> Dataset::shape() const {
   return dims;
 }
 
-std::size_t Dataset::checked_size() const {
-  if (!is_number()) fail("it does not hold numbers");
-  double count = 1;
-  for (const hsize_t rows : shape()) count *= static_cast<double>(rows);
-  const double bytes = count * static_cast<double>(H5Tget_size(type().get()));
-  const Handle properties(H5Dget_create_plist(id_.get()), H5Pclose);
-  const double factor = H5Pget_layout(properties.get()) == H5D_CHUNKED ? max_compression : 1;
-  const double stored = stored_size(id_.get(), properties.get());
-  if (bytes > factor * stored)
-    fail(
-        fmt::format("its shape asks for {:.0f} bytes, but the file holds {:.0f}: the file is damaged or was never "
-                    "finished; copy or write it again",
-                    bytes, stored));
-  return static_cast<std::size_t>(count);
+std::filesystem::path Dataset::file() const {
+  return name_of(id_.get(), H5Fget_name);
+}
+
+std::size_t Dataset::size() const {
+  std::size_t count = 1;
+  for (const hsize_t rows : shape()) count *= rows;
+  return count;
 }
 
 void Dataset::read_into(hid_t type, void* values) const {
@@ -274,11 +265,13 @@ File File::create() {
 
 File File::open(const std::filesystem::path& path) {
   silence();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path.string() + ": there is no such file");
-  if (std::filesystem::is_directory(path, error)) throw InputError(path.string() + ": this is a folder, not a file");
+  require_file(path);
   Handle id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (id.get() < 0) refuse(hdf5_reason(), path.string() + ": this is no readable HDF5 file; copy or write it anew");
+  if (id.get() < 0) {
+    const std::string reason = hdf5_reason(), locked = lock_remark(path);
+    refuse(reason,
+           path.string() + (locked.empty() ? ": this is no readable HDF5 file; copy or write it anew" : locked));
+  }
   return File(std::move(id));
 }
 

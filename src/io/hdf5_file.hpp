@@ -47,6 +47,8 @@ hid_t native_type() {
     return sizeof(T) == 4 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
   else if constexpr (sizeof(T) == 1)
     return std::signed_integral<T> ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8;
+  else if constexpr (sizeof(T) == 2)
+    return std::signed_integral<T> ? H5T_NATIVE_INT16 : H5T_NATIVE_UINT16;
   else if constexpr (sizeof(T) == 4)
     return std::signed_integral<T> ? H5T_NATIVE_INT32 : H5T_NATIVE_UINT32;
   else
@@ -62,6 +64,7 @@ class Object {
   /// The same, or its first number, of an attribute that may be missing or empty.
   std::vector<double> numbers_or(const std::string& name, std::vector<double> missing) const;
   double number_or(const std::string& name, double missing) const { return numbers_or(name, {missing})[0]; }
+  bool is_text(const std::string& name) const;
   /// A string attribute of fixed or variable length, without padding.
   std::string text(const std::string& name) const;
 
@@ -103,18 +106,25 @@ class Dataset : public Object {
   bool is_number() const;
   bool is_integer() const { return H5Tget_class(type().get()) == H5T_INTEGER; }
   bool is_signed() const { return H5Tget_sign(type().get()) == H5T_SGN_2; }  ///< of an integer
+  /// Whether its data lie in other files, and it says where.
+  bool is_virtual() const { return H5Pget_layout(properties().get()) == H5D_VIRTUAL; }
+  Handle properties() const { return {H5Dget_create_plist(id_.get()), H5Pclose}; }
+  std::filesystem::path file() const;  ///< that it was opened in
+  /// Throws InputError where the file does not hold as much as the shape says, or not in a form that can be read.
+  void require_stored() const;
 
   /// All values, row by row, converted to T. Fails when the file does not hold as many as the shape says.
   template <Number T>
   std::vector<T> read() const {
-    std::vector<T> values(checked_size());
+    require_stored();
+    std::vector<T> values(size());
     read_into(native_type<T>(), values.data());
     return values;
   }
 
  private:
   Handle type() const { return {H5Dget_type(id_.get()), H5Tclose}; }
-  std::size_t checked_size() const;
+  std::size_t size() const;
   void read_into(hid_t type, void* values) const;
 };
 

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "src/engine/errors.hpp"
+#include "src/io/check.hpp"
 #include "src/io/hdf5_file.hpp"
-#include "src/io/reader.hpp"
 
 namespace sphk {
 
@@ -107,13 +107,19 @@ std::string gas_table(const hdf5::Group& gas) {
 }
 
 /// What a run would say when it started from this file.
-std::string remark_lines(const std::filesystem::path& path) {
+std::string verdict_lines(const std::filesystem::path& path) {
   std::string text;
+  std::vector<std::string> errors;
   try {
-    for (const std::string& remark : read_particles(path, NonFinite::keep).remarks) text += "  note: " + remark + "\n";
+    const ReadResult content = read_particles(path, NonFinite::keep);
+    const Verdict verdict = judge(content);
+    for (const std::string& note : verdict.notes) text += "  note: " + note + "\n";
+    errors = verdict.errors;
+    if (const std::string doubt = dimension_in_doubt(content); !doubt.empty()) errors.push_back(doubt);
   } catch (const InputError& error) {
-    text = fmt::format("  no run can start from it: {}\n", error.what());
+    errors.emplace_back(error.what());
   }
+  for (const std::string& error : errors) text += fmt::format("  no run can start from it: {}\n", error);
   return text;
 }
 
@@ -133,7 +139,7 @@ std::string file_info(const std::filesystem::path& path) {
     text += particle_lines(file, header);
     if (file.has("PartType0")) text += gas_table(file.group("PartType0"));
   }
-  return text + remark_lines(path);
+  return text + verdict_lines(path);
 }
 
 }  // namespace sphk

@@ -20,18 +20,29 @@ double relative(double difference, double scale) {
   return scale > 0 ? difference / scale : difference;
 }
 
+/// |now - start| against |start|, where that is more than what sums of m |v| leave by rounding.
+std::optional<double> of_start(const Array3& start, const Array3& now, double sizes) {
+  const double scale = length(start);
+  if (!(scale > 1e-10 * sizes)) return std::nullopt;
+  return distance(now, start) / scale;
+}
+
 }  // namespace
 
 Conservation drift(const Totals& start, const Totals& now, const Box& box) {
   const double heat = now.heated - start.heated;
-  const double p_scale = std::sqrt(2 * start.mass * (start.kinetic + start.thermal + heat));
+  const double energy = start.kinetic + start.thermal + std::abs(start.potential) + heat;
+  const double p_of_heat = 1e-6 * std::sqrt(2 * start.mass * (start.kinetic + start.thermal + heat));
   const double side = *std::ranges::max_element(box.size);
+  const double p = std::max({start.momentum_sizes, now.momentum_sizes, p_of_heat});
+  const double L = std::max({start.angular_momentum_sizes, now.angular_momentum_sizes, p_of_heat * side});
   return {
-      .energy = relative(std::abs(now.energy() - heat - start.energy()), std::abs(start.energy() + heat)),
-      .momentum = relative(distance(now.momentum, start.momentum), std::max(length(start.momentum), p_scale)),
-      .angular_momentum = relative(distance(now.angular_momentum, start.angular_momentum),
-                                   std::max(length(start.angular_momentum), p_scale * side)),
+      .energy = relative(std::abs(now.energy() - heat - start.energy()), energy),
+      .momentum = relative(distance(now.momentum, start.momentum), p),
+      .angular_momentum = relative(distance(now.angular_momentum, start.angular_momentum), L),
       .mass = relative(std::abs(now.mass - start.mass), start.mass),
+      .momentum_of_start = of_start(start.momentum, now.momentum, p),
+      .angular_momentum_of_start = of_start(start.angular_momentum, now.angular_momentum, L),
   };
 }
 

@@ -4,7 +4,6 @@
 
 #include <iterator>
 
-#include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
 
 namespace sphk {
@@ -42,7 +41,7 @@ void rates(Text out, const RunRecord& r) {
                  with_prefix(r.pairs_per_second()));
   fmt::format_to(out, "  {}FLOP/s, {:.1f} % of the measured FMA peak of {}FLOP/s\n", with_prefix(r.flops_per_second()),
                  100 * r.share_of_peak(), with_prefix(r.platform.fma_peak));
-  fmt::format_to(out, "  peak memory {}, {:.0f} bytes per particle on the device\n", bytes_text(peak_memory_bytes()),
+  fmt::format_to(out, "  peak memory {}, {:.0f} bytes per particle on the device\n", bytes_text(r.peak_memory_bytes),
                  r.costs.bytes_per_particle);
 }
 

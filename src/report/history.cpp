@@ -32,6 +32,8 @@ History::Measures standard_columns(const StepReport& step, const Totals& t, cons
           {"angular_momentum_x", l[0]},
           {"angular_momentum_y", l[1]},
           {"angular_momentum_z", l[2]},
+          {"momentum_sizes", t.momentum_sizes},
+          {"angular_momentum_sizes", t.angular_momentum_sizes},
           {"mass", t.mass},
           {"max_speed", t.max_speed},
           {"min_rho", t.min_density},

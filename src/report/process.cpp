@@ -5,8 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 extern char** environ;
 
@@ -20,6 +26,25 @@ fs::path this_executable() {
 
 fs::path shared_folder() {
   return this_executable().parent_path().parent_path() / "share/sphk";
+}
+
+std::string start_of_process(pid_t id) {
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto name_end = text.rfind(')');  // proc(5): field 2 is the name, in brackets, field 22 the start
+  if (name_end == std::string::npos) return "";
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string field;
+  for (int number = 3; number <= 22; ++number) fields >> field;
+  return field;
+}
+
+double age_of_this_process() {
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  const double ticks = std::strtod(start_of_process(getpid()).c_str(), nullptr);
+  const double since_boot = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return ticks > 0 ? std::max(0.0, since_boot - ticks / static_cast<double>(sysconf(_SC_CLK_TCK))) : 0;
 }
 
 Process::Process(std::vector<std::string> words, const Streams& streams) {

@@ -17,6 +17,11 @@ std::filesystem::path this_executable();
 /// and the studies that have names.
 std::filesystem::path shared_folder();
 
+/// When a process began, in ticks since the machine did; empty where there is none, or the machine does not tell.
+std::string start_of_process(pid_t id);
+/// Wall-clock seconds since this process began; 0 where the machine does not tell.
+double age_of_this_process();
+
 /// A program that this one has started, and waits for before it goes on.
 class Process {
  public:

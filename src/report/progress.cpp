@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "src/report/print.hpp"
 #include "src/report/quantity.hpp"
 
 namespace sphk {
@@ -39,7 +40,7 @@ Progress::Progress(ProgressStyle style, Span span, std::FILE* out)
     : style_(style), span_(span), out_(out), last_time_(span.from) {}
 
 Progress::~Progress() {
-  if (open_bar_) fmt::print(out_, "\n");
+  if (open_bar_) print_if_possible(out_, "\n");
 }
 
 bool Progress::due() const {
@@ -48,7 +49,7 @@ bool Progress::due() const {
 }
 
 void Progress::report(const StepReport& step, long updates, double energy_drift) {
-  if (style_ == ProgressStyle::none) return;
+  if (style_ == ProgressStyle::none || (started_ && step.step == last_step_)) return;
   const Speed now = speed(step, updates);
   if (style_ == ProgressStyle::bar)
     print_bar(step, now, energy_drift);
@@ -67,8 +68,8 @@ void Progress::report(const StepReport& step, long updates, double energy_drift)
 void Progress::say(const std::string& line) {
   if (style_ == ProgressStyle::none) return;
   if (style_ == ProgressStyle::json)
-    return fmt::print(out_, "{}\n", nlohmann::json{{"message", line}}.dump(-1, ' ', false, replace));
-  fmt::print(out_, "{}{}\n", open_bar_ ? "\n" : "", line);
+    return print_if_possible(out_, nlohmann::json{{"message", line}}.dump(-1, ' ', false, replace) + "\n");
+  print_if_possible(out_, (open_bar_ ? "\n" : "") + line + "\n");
   open_bar_ = false;
   std::fflush(out_);
 }
@@ -103,16 +104,17 @@ void Progress::print_bar(const StepReport& step, const Speed& speed, double ener
                                "dt set by " + limiter(step)};
   for (const std::string& text : parts)  // as many as the terminal's line holds
     if (line.size() + 2 + text.size() < static_cast<std::size_t>(columns(out_))) line += "  " + text;
-  fmt::print(out_, "\r\033[K{}", line);
+  print_if_possible(out_, "\r\033[K" + line);
   open_bar_ = true;
 }
 
 void Progress::print_line(const StepReport& step, const Speed& speed, double energy_drift) const {
-  fmt::print(out_,
-             "step {:6d}  t {:.6g} of {:.6g}  dt {:.3e}  {} updates/s  neighbours {}  energy drift {:.2e}  {} left"
-             "  dt set by {}\n",
-             step.step, step.time, span_.to, step.dt, with_prefix(speed.updates_per_second), neighbours(step),
-             energy_drift, duration_text(speed.seconds_left), limiter(step));
+  print_if_possible(
+      out_,
+      fmt::format("step {:6d}  t {:.6g} of {:.6g}  dt {:.3e}  {} updates/s  neighbours {}  energy drift {:.2e}  {} left"
+                  "  dt set by {}\n",
+                  step.step, step.time, span_.to, step.dt, with_prefix(speed.updates_per_second), neighbours(step),
+                  energy_drift, duration_text(speed.seconds_left), limiter(step)));
 }
 
 void Progress::print_json(const StepReport& step, const Speed& speed, double energy_drift) const {
@@ -128,7 +130,7 @@ void Progress::print_json(const StepReport& step, const Speed& speed, double ene
       {"limiting_id", step.limiting_id},
       {"limiting_x", step.limiting_x},
   };
-  fmt::print(out_, "{}\n", json.dump());
+  print_if_possible(out_, json.dump() + "\n");
 }
 
 }  // namespace sphk

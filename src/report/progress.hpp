@@ -28,7 +28,8 @@ class Progress {
 
   /// Is it time for the next report? Every 0.2 s (bar) or 5 s, and at the first step.
   bool due() const;
-  /// `updates`: particles updated since the start; `energy_drift`: relative. The rates are those since the last report.
+  /// Nothing where the step has been told. `updates`: particles updated since the start; `energy_drift`: relative. The
+  /// rates are those since the last report.
   void report(const StepReport& step, long updates, double energy_drift);
   /// A line of its own between the reports.
   void say(const std::string& line);

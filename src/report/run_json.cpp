@@ -1,7 +1,11 @@
 #include "src/report/run_json.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "src/engine/errors.hpp"
 #include "src/report/machine.hpp"
 
 namespace sphk {
@@ -17,7 +21,13 @@ Json phases(const Costs& costs) {
 }
 
 Json conservation(const Conservation& c) {
-  return {{"energy", c.energy}, {"momentum", c.momentum}, {"angular_momentum", c.angular_momentum}, {"mass", c.mass}};
+  const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  return {{"energy", c.energy},
+          {"momentum", c.momentum},
+          {"angular_momentum", c.angular_momentum},
+          {"mass", c.mass},
+          {"momentum_of_start", number(c.momentum_of_start)},
+          {"angular_momentum_of_start", number(c.angular_momentum_of_start)}};
 }
 
 Json errors(const std::map<std::string, ErrorNorm>& norms) {
@@ -49,7 +59,84 @@ Json error_budget(const ErrorBudget& b) {
           {"nearest", {{"mean", b.nearest}, {"percentile_5", b.nearest_low}}}};
 }
 
+/// A number, or NaN where it is null.
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+ErrorShare read_share(const Json& json) {
+  return {json.at("particles"), number(json.at("mean")), number(json.at("percentile_95")), number(json.at("max"))};
+}
+
+ErrorBudget read_budget(const Json& json) {
+  const Json &e0 = json.at("E0"), &nearest = json.at("nearest");
+  return {.all = read_share(e0.at("all")),
+          .boundary = read_share(e0.at("boundary")),
+          .bulk = read_share(e0.at("bulk")),
+          .R = number(json.at("R")),
+          .V = number(json.at("V")),
+          .nearest = number(nearest.at("mean")),
+          .nearest_low = number(nearest.at("percentile_5"))};
+}
+
+void read_results(const Json& json, RunRecord& r) {
+  const Json& c = json.at("conservation");
+  r.conservation.energy = number(c.at("energy"));
+  r.conservation.momentum = number(c.at("momentum"));
+  r.conservation.angular_momentum = number(c.at("angular_momentum"));
+  r.conservation.mass = number(c.at("mass"));
+  for (const auto& [field, norm] : json.at("errors").items()) {
+    ErrorNorm& error = r.errors[field];
+    error = {number(norm.at("l1")), number(norm.at("l2")), number(norm.at("linf")), {}};
+    for (std::size_t k = 0; k < 3; ++k) error.where[k] = number(norm.at("where").at(k));
+  }
+  for (const auto& [measure, deviation] : json.at("deviations").items())
+    for (const Json& at : deviation.at("at"))
+      r.deviations[measure].at.push_back(
+          {number(at.at("time")), number(at.at("value")), number(at.at("low")), number(at.at("high"))});
+  if (json.contains("error_budget")) r.budget = read_budget(json.at("error_budget"));
+}
+
+void read_costs(const Json& json, RunRecord& r) {
+  r.steps = json.at("steps");
+  r.wall_seconds = number(json.at("wall_seconds"));
+  r.cpu_seconds = number(json.at("cpu_seconds"));
+  if (!json.at("joules").is_null()) r.joules = json.at("joules").get<double>();
+  r.setup_seconds = number(json.at("setup_seconds"));
+  r.output_seconds = number(json.at("output_seconds"));
+  r.peak_memory_bytes = number(json.at("peak_memory_bytes"));
+  r.platform.fma_peak = number(json.at("fma_peak"));
+  r.costs.updates = json.at("updates");
+  r.costs.pair_interactions = number(json.at("pair_interactions"));
+  r.costs.flops = number(json.at("flops_per_second")) * r.wall_seconds;
+  r.costs.bytes_per_particle = number(json.at("bytes_per_particle"));
+  for (const auto& [name, seconds] : json.at("seconds_by_phase").items())
+    r.costs.phases.emplace_back(name, number(seconds));
+}
+
 }  // namespace
+
+RunRecord read_run_json(const std::string& text, const std::string& name) {
+  try {
+    const Json json = Json::parse(text);
+    RunRecord r;
+    r.scene = json.at("scene");
+    r.scheme = json.at("scheme");
+    r.kernel = json.at("kernel");
+    r.neighbours = number(json.at("neighbours"));
+    r.particles = json.at("particles");
+    r.dimension = json.at("dimension");
+    r.time = number(json.at("time"));
+    r.finished = json.at("finished");
+    json.at("warnings").get_to(r.warnings);
+    read_costs(json, r);
+    read_results(json, r);
+    return r;
+  } catch (const Json::exception& error) {
+    throw InputError(
+        fmt::format("{} cannot be read ({}); sphk leaves a whole one when a run ends or stops", name, error.what()));
+  }
+}
 
 std::string run_json(const RunRecord& r) {
   Json json = {
@@ -77,7 +164,7 @@ std::string run_json(const RunRecord& r) {
       {"seconds_by_phase", phases(r.costs)},
       {"updates_per_second", r.updates_per_second()},
       {"pairs_per_second", r.pairs_per_second()},
-      {"peak_memory_bytes", peak_memory_bytes()},
+      {"peak_memory_bytes", r.peak_memory_bytes},
       {"bytes_per_particle", r.costs.bytes_per_particle},
       {"flops_per_second", r.flops_per_second()},
       {"fma_peak", r.platform.fma_peak},

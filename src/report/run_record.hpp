@@ -44,6 +44,7 @@ struct RunRecord {
   double cpu_seconds = 0;   ///< of the time loop alone, all threads
   double setup_seconds = 0, output_seconds = 0;
   std::optional<double> joules;  ///< of the processors during the time loop, where the machine tells
+  double peak_memory_bytes = 0;  ///< that the process held
   Costs costs;
   Conservation conservation;
   std::map<std::string, ErrorNorm> errors;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
 #include "src/io/checkpoint.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/report/machine.hpp"
@@ -66,7 +67,34 @@ void require_same_run(const fs::path& path, const Scene& scene, const Settings& 
   }
 }
 
+/// The step and the scene of a checkpoint, which its metadata tell; nothing where it cannot be read.
+std::optional<std::pair<double, SavedScene>> scene_of(const fs::path& path) {
+  try {
+    const hdf5::File file = hdf5::File::open(path);
+    const hdf5::Group own = file.group("sphk");
+    return std::pair(own.numbers("Step").at(0), SavedScene{own.text("SceneText"), path});
+  } catch (const std::exception&) {  // newest_checkpoint says why
+    return std::nullopt;
+  }
+}
+
 }  // namespace
+
+std::optional<SavedScene> newest_scene(const fs::path& folder) {
+  std::optional<std::pair<double, SavedScene>> newest;
+  for (const char* name : names) {
+    const auto found = fs::exists(folder / name) ? scene_of(folder / name) : std::nullopt;
+    if (found && (!newest || found->first > newest->first)) newest = found;
+  }
+  return newest ? std::optional(newest->second) : std::nullopt;
+}
+
+void restore_files(const fs::path& folder, const SavedRun& saved) {
+  if (text_of_file(folder / "history.csv").substr(0, saved.history.size()) != saved.history)
+    write_atomically(folder / "history.csv", saved.history);
+  if (is_cut_short(text_of_file(folder / "scene.used.toml"), saved.scene))
+    write_atomically(folder / "scene.used.toml", saved.scene);
+}
 
 Checkpoints::Checkpoints(fs::path folder, const fs::path& last)
     : folder_(std::move(folder)), next_(last.filename() == names[0] ? 1 : 0) {}
@@ -76,7 +104,9 @@ void Checkpoints::write(const Simulation& simulation, const LoopState& loop, con
   const Stopwatch watch;
   Writer text;
   visit(text, loop, output, box);
-  write_checkpoint(folder_ / names[next_], {simulation.save(), text.json.dump()}, simulation.snapshot(), info);
+  const Checkpoint checkpoint{simulation.save(), text.json.dump(),
+                              text_of_file(folder_ / "history.csv").substr(0, output.history_bytes), info.scene_text};
+  write_checkpoint(folder_ / names[next_], checkpoint, simulation.snapshot(), info);
   next_ = 1 - next_;
   seconds_ = watch.wall();
 }
@@ -103,6 +133,8 @@ SavedRun newest_checkpoint(const fs::path& folder, const Scene& scene, const Set
       if (newest && newest->loop.steps >= run.loop.steps) continue;
       run.file = file;
       run.simulation = checkpoint.state;
+      run.history = checkpoint.history;
+      run.scene = checkpoint.scene;
       newest = std::move(run);
     } catch (const std::exception& error) {
       remarks.push_back(fmt::format("{} cannot be used: {}", name, error.what()));

@@ -28,8 +28,26 @@ struct SavedRun {
   Box box;
   std::filesystem::path file;
   SavedState simulation;
+  std::string history, scene;        ///< the texts of history.csv and scene.used.toml
   std::vector<std::string> remarks;  ///< on checkpoints that could not be read
 };
+
+/// The scene file that a checkpoint holds.
+struct SavedScene {
+  std::string text;
+  std::filesystem::path file;  ///< the checkpoint
+};
+
+/// That of the newest checkpoint of a folder; nothing where there is none that can be read.
+std::optional<SavedScene> newest_scene(const std::filesystem::path& folder);
+
+/// Has a file with this text lost its end, or all of it? One that the user has changed has not.
+inline bool is_cut_short(const std::string& text, const std::string& whole) {
+  return text.size() < whole.size() && whole.starts_with(text);
+}
+
+/// Writes history.csv and scene.used.toml anew where they are lost or hold less than the checkpoint.
+void restore_files(const std::filesystem::path& folder, const SavedRun& saved);
 
 /// The checkpoints of a run's folder: two files that are written in turns, so that one is always complete.
 class Checkpoints {

@@ -44,7 +44,7 @@ DryRun dry_run(const Problem& problem) {
   run.seconds_per_step = watch.wall() / run.trial_steps;
   run.dt = simulation->last_step().dt;
   run.steps = run.trial_steps + std::max(0.0, std::ceil((run.end - simulation->time()) / run.dt));
-  if (const auto limit = settings.integer("time.max_steps"); limit > 0)
+  if (const auto limit = settings.integer("time.max_steps"); limit >= 0)
     run.steps = std::min(run.steps, static_cast<double>(limit));
   run.bytes_per_particle = simulation->costs().bytes_per_particle;
   run.peak_bytes = peak_memory_bytes();

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
-#include "src/io/check.hpp"
 #include "src/io/hdf5_file.hpp"
+#include "src/scenes/keys.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -19,12 +19,9 @@ PlotHint plain_hint(const Box& box) {
           .centre = {}};
 }
 
-FileScene::FileScene(const std::filesystem::path& path)
-    : path_(std::filesystem::absolute(path)), content_(read_particles(path)) {
-  if (content_.particles.size() == 0) errors_.emplace_back("it holds no gas particles: at least one is needed");
-  for (const Finding& finding : check_particles(content_.particles))
-    (finding.severity == Finding::Severity::error ? errors_ : content_.remarks).push_back(to_text(finding));
-  if (content_.own_snapshot) read_method();
+FileScene::FileScene(const std::filesystem::path& path, const std::filesystem::path& particles)
+    : path_(std::filesystem::absolute(path)), content_(read_particles(particles)), verdict_(judge(content_)) {
+  if (content_.own_snapshot) read_method(particles);
 }
 
 std::string FileScene::summary() const {
@@ -33,6 +30,7 @@ std::string FileScene::summary() const {
 
 void FileScene::declare(Settings& settings) const {
   settings.declare({.name = "scene.file", .value = path_.string(), .doc = "the initial condition", .choices = {}});
+  declare_dimension(settings, content_.particles.dimension);
   settings.declare({.name = "scene.periodic",
                     .value = std::string("file"),
                     .doc = "boundaries of all axes: as the file says, or as asked",
@@ -42,8 +40,8 @@ void FileScene::declare(Settings& settings) const {
   for (const auto& [name, text] : method_) settings.prefer_from_text(name, text);
 }
 
-void FileScene::read_method() {
-  const hdf5::File file = hdf5::File::open(path_);
+void FileScene::read_method(const std::filesystem::path& snapshot) {
+  const hdf5::File file = hdf5::File::open(snapshot);
   if (!file.has("Parameters")) return;
   const hdf5::Group saved = file.group("Parameters");
   Settings known;
@@ -57,16 +55,41 @@ void FileScene::read_method() {
       known.prefer_from_text(key.name, saved.text(name));
       method_.emplace_back(key.name, saved.text(name));
     } catch (const InputError& error) {
-      content_.remarks.push_back(fmt::format("the snapshot's key is not taken over: {}", error.what()));
+      verdict_.notes.push_back(fmt::format("the snapshot's key is not taken over: {}", error.what()));
     }
   }
 }
 
-ParticleSet FileScene::build(const Settings& settings) const {
-  if (!errors_.empty())
+void FileScene::set_dimension(ParticleSet& gas, const Settings& settings) const {
+  const int wanted = scene_dimension(settings);
+  if (wanted > gas.dimension)
     throw InputError(
-        fmt::format("{} cannot be run before this is mended:\n  {}", path_.string(), fmt::join(errors_, "\n  ")));
+        fmt::format("scene.dimension = {}: the gas of {} is {}D; take that, or write {} columns of "
+                    "Coordinates and the attribute Dimension of Header",
+                    wanted, path_.string(), gas.dimension, wanted));
+  const auto differs = [&](const Array3& x, const Array3& v) {
+    for (auto k = static_cast<std::size_t>(wanted); k < 3; ++k)
+      if (x[k] != gas.x[0][k] || v[k] != 0) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < gas.size() && wanted < gas.dimension; ++i)
+    if (differs(gas.x[i], gas.v[i]))
+      throw InputError(
+          fmt::format("scene.dimension = {}: row {} of {} moves along another axis or lies elsewhere there "
+                      "than row 0; gas of {}D does neither",
+                      wanted, i, path_.string(), wanted));
+  if (wanted < gas.dimension) drop_axes(gas, wanted);
+}
+
+ParticleSet FileScene::build(const Settings& settings) const {
+  std::vector<std::string> errors = verdict_.errors;
+  const std::string doubt = dimension_in_doubt(content_);
+  if (!doubt.empty() && !settings.set_by_user("scene.dimension")) errors.push_back(doubt);
+  if (!errors.empty())
+    throw InputError(
+        fmt::format("{} cannot be run before this is mended:\n  {}", path_.string(), fmt::join(errors, "\n  ")));
   ParticleSet particles = content_.particles;
+  set_dimension(particles, settings);
   const std::string& periodic = settings.text("scene.periodic");
   for (int axis = 0; axis < particles.dimension && periodic != "file"; ++axis)
     particles.box.periodic[static_cast<std::size_t>(axis)] = periodic == "yes";

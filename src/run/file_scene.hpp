@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/io/reader.hpp"
+#include "src/io/check.hpp"
 #include "src/scenes/scene.hpp"
 
 namespace sphk {
@@ -18,26 +18,30 @@ class FileScene : public Scene {
   static constexpr const char* scene_name = "file";
 
   /// Reads the file at once; throws InputError when it is no readable initial condition.
-  explicit FileScene(const std::filesystem::path& path);
+  explicit FileScene(const std::filesystem::path& path) : FileScene(path, path) {}
+  /// The same with another file's particles, such as those of a later snapshot.
+  FileScene(const std::filesystem::path& path, const std::filesystem::path& particles);
 
   std::string name() const override { return scene_name; }
   std::string summary() const override;
-  /// Declares scene.file and scene.periodic. The end time has no useful default, so time.end is the file's own time.
+  /// Declares scene.file, scene.dimension and scene.periodic. The end time has no useful default, so time.end is the
+  /// file's own time.
   void declare(Settings& settings) const override;
-  /// Throws InputError listing what check_particles calls an error.
-  int dimension(const Settings&) const override { return content_.particles.dimension; }
+  /// Throws InputError listing what judge() calls an error, and where the number of dimensions is in doubt.
   ParticleSet build(const Settings& settings) const override;
   PlotHint plot_hint(const Settings& settings) const override;
-  /// What the reader assumed, made or left out, and what check_particles noticed.
-  const std::vector<std::string>& remarks() const { return content_.remarks; }
+  /// What the reader assumed, made or left out, and what is rarely meant.
+  const std::vector<std::string>& remarks() const { return verdict_.notes; }
 
  private:
   /// Reads the keys of schemes, terms and time-steps that a snapshot of sphk was made with.
-  void read_method();
+  void read_method(const std::filesystem::path& snapshot);
+  /// Makes the gas one of as many dimensions as are asked for.
+  void set_dimension(ParticleSet& gas, const Settings& settings) const;
 
   std::filesystem::path path_;
   ReadResult content_;
-  std::vector<std::string> errors_;
+  Verdict verdict_;
   std::vector<std::pair<std::string, std::string>> method_;  ///< what it goes on with, unless the user asks for another
 };
 

@@ -71,7 +71,7 @@ fs::path figure_name(const PlotRequest& request, const Targets& targets, const f
 std::optional<Problem> problem_of(const Targets& targets) {
   const fs::path scene_file = targets.folder / "scene.used.toml";
   if (!fs::exists(scene_file)) return std::nullopt;
-  return resolve_problem(scene_file.string(), {});
+  return resolve_run(SceneFile(scene_file), targets.snapshots.back());
 }
 
 Json references_of(const Problem& problem) {
@@ -152,6 +152,11 @@ void plot_run(const PlotRequest& request) {
 }  // namespace
 
 void plot(const PlotRequest& request) {
+  if (const auto& out = request.out; out && out->has_extension() && !is_figure(out) && !fs::is_directory(*out))
+    throw InputError(
+        fmt::format("--out {}: figures are PNG files, so write {}; or a folder, made before or with a "
+                    "slash at its end",
+                    out->string(), fs::path(*out).replace_extension(".png").string()));
   if (request.conservation)
     return plot_together(request, "conservation", "--conservation draws one figure for all runs", conservation_of);
   if (!request.profile.empty())

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/engine/settings.hpp"
+#include "src/run/scene_file.hpp"
 #include "src/scenes/scene.hpp"
 
 namespace sphk {
@@ -17,6 +19,8 @@ struct Override {
 
 /// Keys and what each is set to, as text.
 using KeyTexts = std::vector<std::pair<std::string, std::string>>;
+/// The keys without those that come again, with other texts, later.
+KeyTexts last_of_each(const KeyTexts& keys);
 std::vector<Override> overrides_of(const KeyTexts& keys);
 
 /// What to compute: a scene and its complete settings.
@@ -36,9 +40,14 @@ bool may_change(const std::string& key);
 /// or the scheme's. Throws InputError for keys that the scheme does not have.
 void adapt(Problem& problem);
 
-/// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). Throws one InputError that
-/// lists every unknown key, wrong type and value out of range of the file and of the overrides.
+/// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). A scene file may name an
+/// initial condition, by its path from the scene file's folder. Throws one InputError that lists every unknown key,
+/// wrong type and value out of range of the file and of the overrides.
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides);
+
+/// The problem of a run by its scene file. Where the initial condition that it names is gone, the particles of
+/// `snapshot`, one of the run's, stand in for it. Throws InputError.
+Problem resolve_run(const SceneFile& file, const std::filesystem::path& snapshot);
 
 /// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one), for
 /// commands that only need their number and state.

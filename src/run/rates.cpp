@@ -8,6 +8,7 @@
 #include "kernels/terms/switched_pair.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "src/engine/errors.hpp"
+#include "src/run/file_scene.hpp"
 #include "src/run/run_output.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
@@ -56,9 +57,12 @@ std::vector<Override> dissipation(const std::string& alpha, const Settings& sett
 }  // namespace
 
 RatesResult rates(const RatesRequest& request) {
-  std::vector<Override> overrides{{"sph.precision", "double", "--precision double"},
-                                  {"time.steps", "global", "--precision double"}};
-  overrides.insert(overrides.end(), request.overrides.begin(), request.overrides.end());
+  std::vector<Override> overrides = request.overrides;
+  for (const Override& usual : {Override{"sph.precision", "double", ""}, Override{"time.steps", "global", ""}})
+    if (std::ranges::find(overrides, usual.name, &Override::name) == overrides.end()) overrides.push_back(usual);
+  if (std::error_code none; std::filesystem::equivalent(request.file, request.out, none))
+    throw InputError(fmt::format("--out {} would replace the file that the rates are of; choose another name",
+                                 request.out.string()));
   Problem problem = resolve_problem(request.file, overrides);
   ParticleSet particles = initial_condition(*problem.scene, problem.settings);
   for (const Override& key : dissipation(request.alpha, problem.settings, particles))
@@ -75,7 +79,10 @@ RatesResult rates(const RatesRequest& request) {
   for (const Field& field : simulation->rates(request.split)) fields.push_back(in_input_order(field, rows));
   const double gamma = problem.settings.real("sph.gamma");
   write_fields(request.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
-  return {.fields = fields.size(), .particles = particles.size(), .warnings = simulation->warnings()};
+  RatesResult result{fields.size(), particles.size(), simulation->warnings()};
+  if (const auto* file = dynamic_cast<const FileScene*>(problem.scene))
+    result.warnings.insert(result.warnings.begin(), file->remarks().begin(), file->remarks().end());
+  return result;
 }
 
 }  // namespace sphk

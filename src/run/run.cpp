@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/scaled_simulation.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/report/run_json.hpp"
@@ -16,7 +17,8 @@
 #include "src/run/stop_signal.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
-#include "src/stability/dispersion.hpp"
+#include "src/schemes/resolve.hpp"
+#include "src/stability/remarks.hpp"
 
 namespace sphk {
 
@@ -41,15 +43,18 @@ Start start_of(const RunRequest& request, const Problem& problem) {
   start.particles = read_particles(start.saved->file).particles;
   start.particles.box = start.saved->box;
   start.begin = start.saved->loop.begin;
+  restore_files(*request.resume, *start.saved);
   return start;
 }
 
 RunLoop::Plan make_plan(const Settings& settings, double begin, double walltime) {
+  const long limit = settings.integer("time.max_steps");
   const RunLoop::Plan plan{.end = settings.real("time.end"),
-                           .steps = settings.integer("time.max_steps"),
-                           .snapshots = settings.integer("output.snapshots"),
+                           .steps = std::max(limit, 0L),
+                           .snapshots = limit == 0 ? 0 : settings.integer("output.snapshots"),
                            .checkpoint = settings.real("output.checkpoint"),
-                           .walltime = walltime};
+                           .walltime = walltime,
+                           .max_drift = settings.real("time.max_drift")};
   if (!(plan.end > begin))
     throw InputError(fmt::format("time.end = {} is not after the start at t = {}: give the end time with --t-end T",
                                  plan.end, begin));
@@ -72,8 +77,13 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.build = build();
   record.left_out = description.left_out;
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
-  const std::string remark = stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma);
-  if (!remark.empty()) record.warnings.push_back(remark);
+  const KernelPair pair{s.kernel, s.neighbours};
+  const auto& [kernel, neighbours] =
+      scheme_facts(s.scheme, compiled_schemes()).usual[static_cast<std::size_t>(particles.dimension - 1)];
+  for (const std::string& remark : {stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma),
+                                    sampling_remark(pair, {kernel, neighbours}, particles.dimension),
+                                    courant_remark(s.courant, pair, particles.dimension, s.gamma)})
+    if (!remark.empty()) record.warnings.push_back(remark);
   const auto periodic = std::ranges::count(particles.box.periodic, true);
   if (periodic == 0 && s.neighbours > static_cast<double>(particles.size()))
     record.warnings.push_back(
@@ -85,10 +95,10 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
 
 std::string headline(const RunRecord& r) {
   return fmt::format(
-      "sphk {}: {} with {} particles in {}D; {} on {}, {} threads, {} precision; scheme {}, kernel {}, {:g} "
+      "sphk {}: {} with {} particles in {}D; {} on {}, {} thread{}, {} precision; scheme {}, kernel {}, {:g} "
       "neighbours",
       r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device, r.platform.threads,
-      r.platform.precision, r.scheme, r.kernel, r.neighbours);
+      r.platform.threads == 1 ? "" : "s", r.platform.precision, r.scheme, r.kernel, r.neighbours);
 }
 
 void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation,
@@ -100,19 +110,32 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
   record.joules = loop.state().joules;
   record.output_seconds = output.seconds();
   record.costs = simulation.costs();
+  record.peak_memory_bytes = peak_memory_bytes();
   record.conservation = drift(output.start(), simulation.totals(), box);
   record.errors = output.errors();
   record.deviations = output.deviations().by_measure();
   record.budget = output.budget();
+  if (record.conservation.energy > 0.05)
+    record.warnings.push_back(
+        fmt::format("the energy has drifted by {:.1f} %: a smaller time.courant or another scheme may keep it",
+                    100 * record.conservation.energy));
   for (const std::string& warning : simulation.warnings())
     if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
 }
 
-std::string scene_file_of(const fs::path& folder) {
+/// The problem of a run's folder. A scene file that has lost its end is taken from the newest checkpoint.
+Problem problem_of_run(const fs::path& folder) {
   const fs::path file = folder / "scene.used.toml";
-  if (!fs::exists(file))
+  const std::optional<SavedScene> saved = newest_scene(folder);
+  if (!fs::exists(file) && !saved)
     throw InputError(fmt::format("{} holds no run: name a folder that `sphk run` filled", folder.string()));
-  return file.string();
+  if (!saved) return resolve_problem(file.string(), {});
+  const std::string text = text_of_file(file);
+  return resolve_run(SceneFile(file, is_cut_short(text, saved->text) ? saved->text : text), saved->file);
+}
+
+FolderRequest wanted_folder(const RunRequest& request, const Settings& settings) {
+  return {request.out, request.overwrite, settings.has("scene.file") ? settings.text("scene.file") : ""};
 }
 
 /// The first lines: what runs, where from, and what is remarkable about it.
@@ -146,40 +169,48 @@ bool finishes(RunLoop& loop, const RunOutput& output, const Checkpoints& checkpo
 }  // namespace
 
 Problem problem_of(const RunRequest& request) {
-  return request.resume ? resolve_problem(scene_file_of(*request.resume), {})
-                        : resolve_problem(request.what, request.overrides);
+  return request.resume ? problem_of_run(*request.resume) : resolve_problem(request.what, request.overrides);
 }
 
 RunResult run(const RunRequest& request) {
+  const Stopwatch watch;
   const Problem problem = problem_of(request);
   const Scene& scene = *problem.scene;
   const Settings& settings = problem.settings;
-  if (request.out && !request.overwrite) refuse_used_folder(*request.out);
-  const Stopwatch setup;
+  const FolderRequest wanted = wanted_folder(request, settings);
+  std::optional<RunFolder> folder;
+  if (request.resume) folder.emplace(take_run_folder(*request.resume));
+  if (!request.resume) refuse_used_folder(wanted);
   const Start start = start_of(request, problem);
   RunLoop::Plan plan = make_plan(settings, start.begin, request.walltime);
   RunRecord record = make_record(problem, start.particles);
   if (start.saved) std::ranges::copy(start.saved->remarks, std::back_inserter(record.warnings));
   Progress progress(request.progress, {.from = start.begin, .to = plan.end, .steps = plan.steps});
   introduce(progress, record, start);
-  const auto simulation = make_simulation(start.particles, simulation_settings(settings));
+  SimulationSettings method = simulation_settings(settings);
+  if (start.saved) method.own_units = scale_of(start.saved->simulation);
+  const auto simulation = make_simulation(start.particles, method);
   if (start.saved) simulation->restore(start.saved->simulation);
-  record.setup_seconds = setup.wall();
+  record.setup_seconds = watch.wall();
 
   if (request.stop_on_signals) catch_stop_signals();
-  RunOutput output(start.saved ? *request.resume : make_run_folder(scene.name(), request.out, request.overwrite), scene,
-                   settings, start.saved ? &start.saved->output : nullptr);
+  if (!folder) folder.emplace(make_run_folder(scene.name(), wanted));
+  RunOutput output(folder->path, scene, settings, start.saved ? &start.saved->output : nullptr);
   Checkpoints checkpoints(output.folder(), start.saved ? start.saved->file : fs::path());
   plan.rows = output.deviations().times(start.begin, plan.end);
   plan.heatings = scene.heatings(settings);
   const Box& box = start.particles.box;
+  if (plan.walltime > 0) plan.walltime = std::max(1e-9, plan.walltime - watch.wall());
   RunLoop loop(*simulation, output, checkpoints, progress, plan, box);
   if (start.saved) loop.resume(start.saved->loop);
   const auto conclude = [&] {
     add_results(record, loop, output, *simulation, box);
     write_atomically(output.folder() / "run.json", run_json(record));
   };
-  if (finishes(loop, output, checkpoints, record, conclude)) checkpoints.remove();
+  if (finishes(loop, output, checkpoints, record, conclude)) {
+    sync_to_disk(output.folder() / "history.csv");  // until now the checkpoint holds it
+    checkpoints.remove();
+  }
   return {record, output.folder()};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/engine/errors.hpp"
+#include "src/io/atomic_file.hpp"
 
 namespace sphk {
 
@@ -31,32 +32,72 @@ std::vector<fs::path> run_files(const fs::path& folder) {
   return files;
 }
 
-fs::path make_free_folder(const std::string& name) {
+/// What killed processes left of files that they had not yet named; the folder belongs to this process.
+void remove_temporaries(const fs::path& folder) {
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto name = name_of_temporary(entry.path().filename().string());
+    if (name && (is_run_file(*name) || *name == FolderLock::file_name)) left.push_back(entry.path());
+  }
+  for (const fs::path& file : left) fs::remove(file);
+}
+
+/// Would the run lose the file that it comes from? That may be one of several parts, which lie beside it.
+bool is_source_in(const fs::path& folder, const fs::path& source) {
+  std::error_code none;
+  const auto lies_in = [&](const fs::path& file) {
+    return is_run_file(file.filename().string()) && fs::equivalent(file.parent_path(), folder, none);
+  };
+  return !source.empty() && (lies_in(fs::absolute(source)) || lies_in(fs::weakly_canonical(source, none)));
+}
+
+void refuse_lost_files(const FolderRequest& request) {
+  const fs::path& folder = *request.asked;
+  if (!fs::is_directory(folder)) return;
+  if (!request.overwrite && !run_files(folder).empty())
+    throw InputError(fmt::format(
+        "{} already holds a run; name another folder with --out, or add --overwrite to replace it", folder.string()));
+  if (is_source_in(folder, request.source))
+    throw InputError(
+        fmt::format("--overwrite would remove {}, which the run is to start from; name another folder "
+                    "with --out",
+                    request.source.string()));
+}
+
+RunFolder make_free_folder(const std::string& name) {
   for (int number = 1;; ++number) {
     const fs::path folder = number == 1 ? name + "-run" : fmt::format("{}-run-{}", name, number);
-    if (!fs::exists(folder) && fs::create_directory(folder)) return folder;
+    if (!fs::exists(folder) && fs::create_directory(folder)) return take_run_folder(folder);
   }
 }
 
-fs::path make_asked_folder(const fs::path& folder, bool overwrite) {
+RunFolder make_asked_folder(const FolderRequest& request) {
+  const fs::path& folder = *request.asked;
   fs::create_directories(folder);
-  if (!overwrite) refuse_used_folder(folder);
+  RunFolder taken = take_run_folder(folder);
+  refuse_lost_files(request);
   for (const char* name : verdict_files) fs::remove(folder / name);  // first: half a run must not pass for a whole one
   for (const fs::path& file : run_files(folder)) fs::remove(file);
-  return folder;
+  return taken;
 }
 
 }  // namespace
 
-void refuse_used_folder(const fs::path& folder) {
-  if (fs::is_directory(folder) && !run_files(folder).empty())
-    throw InputError(fmt::format(
-        "{} already holds a run; name another folder with --out, or add --overwrite to replace it", folder.string()));
+void refuse_used_folder(const FolderRequest& request) {
+  if (!request.asked) return;
+  FolderLock::refuse_locked(*request.asked);
+  refuse_lost_files(request);
 }
 
-fs::path make_run_folder(const std::string& name, const std::optional<fs::path>& asked, bool overwrite) {
+RunFolder take_run_folder(const fs::path& folder) {
+  RunFolder taken{folder, FolderLock(folder)};
+  remove_temporaries(folder);
+  return taken;
+}
+
+RunFolder make_run_folder(const std::string& name, const FolderRequest& request) {
   try {
-    return asked ? make_asked_folder(*asked, overwrite) : make_free_folder(name);
+    return request.asked ? make_asked_folder(request) : make_free_folder(name);
   } catch (const fs::filesystem_error& error) {
     throw InputError(fmt::format("cannot make the run's folder: {}; choose another place with --out", error.what()));
   }

@@ -1,5 +1,8 @@
 #include "src/run/run_loop.hpp"
 
+#include <fmt/format.h>
+
+#include "src/engine/errors.hpp"
 #include "src/report/conservation.hpp"
 #include "src/run/stop_signal.hpp"
 
@@ -54,6 +57,16 @@ void RunLoop::tell(const StepReport& report) {
   progress_.report(report, simulation_.costs().updates, drift(output_.start(), simulation_.totals(), box_).energy);
 }
 
+void RunLoop::judge() const {
+  const double energy = drift(output_.start(), simulation_.totals(), box_).energy;
+  if (energy <= plan_.max_drift) return;
+  throw NumericsError(fmt::format(
+      "step {}, t = {:.6g}: the energy has drifted by {:.3g} of what the run began with, so that its gas is no "
+      "longer that of the problem. A smaller time.courant, sph.precision = \"double\" or another scheme "
+      "may keep it; time.max_drift = {:.3g} is what ends such a run",
+      state_.steps, simulation_.time(), energy, plan_.max_drift));
+}
+
 /// Steps to a time, and heats on the way.
 void RunLoop::go(double until) {
   for (auto& next = state_.next_heating; next < plan_.heatings.size() && plan_.heatings[next].time < until; ++next) {
@@ -83,10 +96,12 @@ RunLoop::End RunLoop::run() {
       go(plan_.rows[row]);
       if (stopped_ || steps_over()) break;
       output_.add_row(simulation_);
+      judge();
     }
     go(until);
     if (stopped_) break;
     output_.write(simulation_);
+    judge();
   }
   if (state_.steps > 0) tell(simulation_.last_step());
   if (!stopped_) return End::finished;

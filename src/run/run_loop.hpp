@@ -21,6 +21,7 @@ class RunLoop {
     std::vector<HeatEvent> heatings{};  ///< in the order of their times
     double checkpoint = 0;              ///< wall-clock seconds between checkpoints; 0: when it stops alone
     double walltime = 0;                ///< wall-clock seconds of this process; 0: no limit
+    double max_drift = 1;               ///< of the energy (conservation.hpp): beyond it the run has failed
   };
 
   RunLoop(Simulation& simulation, RunOutput& output, Checkpoints& checkpoints, Progress& progress, Plan plan,
@@ -48,6 +49,8 @@ class RunLoop {
   void advance(double until);
   void step(double until);
   void tell(const StepReport& report);
+  /// Throws NumericsError where the energy at an output has drifted too far.
+  void judge() const;
 
   Simulation& simulation_;
   RunOutput& output_;

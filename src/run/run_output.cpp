@@ -29,6 +29,8 @@ Totals totals_of(const HistoryRow& row) {
     totals.momentum[d] = row.at(std::string("momentum_") + "xyz"[d]);
     totals.angular_momentum[d] = row.at(std::string("angular_momentum_") + "xyz"[d]);
   }
+  totals.momentum_sizes = row.at("momentum_sizes");
+  totals.angular_momentum_sizes = row.at("angular_momentum_sizes");
   return totals;
 }
 

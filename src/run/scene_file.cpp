@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/hint.hpp"
 #include "src/run/toml_file.hpp"
 
 namespace sphk {
@@ -67,12 +68,15 @@ std::vector<std::string> sections_of(const Settings& settings) {
 std::string name_problem(const SceneFileEntry& entry, const Settings& settings) {
   if (settings.has(entry.name)) return "";
   if (entry.kind != SceneFileEntry::Kind::section)
-    return fmt::format("there is no key \"{}\"; did you mean \"{}\"?", entry.name, settings.nearest(entry.name));
+    return fmt::format("there is no key \"{}\"; {}", entry.name,
+                       hint(settings.nearest(entry.name), "`sphk show SCENE` lists them"));
   Settings sections;
   for (const std::string& section : sections_of(settings))
     sections.declare({.name = section, .value = false, .doc = "", .choices = {}});
   if (sections.has(entry.name)) return "";
-  return fmt::format("there is no section [{}]; did you mean [{}]?", entry.name, sections.nearest(entry.name));
+  const std::string nearest = sections.nearest(entry.name);
+  return fmt::format("there is no section [{}]; {}", entry.name,
+                     nearest.empty() ? "`sphk show SCENE` lists the keys" : "did you mean [" + nearest + "]?");
 }
 
 /// What the parser says, which has file and line; with a hint for the one clash our keys invite.
@@ -83,9 +87,11 @@ std::string syntax_message(const std::string& what) {
 
 }  // namespace
 
-SceneFile::SceneFile(const std::filesystem::path& path) : path_(path.string()) {
+SceneFile::SceneFile(const std::filesystem::path& path) : SceneFile(path, read_toml_file(path, "scene file")) {}
+
+SceneFile::SceneFile(const std::filesystem::path& path, const std::string& text) : path_(path.string()) {
   try {
-    flatten("", parse_toml(path, "scene file"), entries_);
+    flatten("", parse_toml_text(text, path_), entries_);
   } catch (const std::exception& error) {
     throw InputError(syntax_message(error.what()));
   }

@@ -27,6 +27,8 @@ class SceneFile {
  public:
   /// Throws InputError when the file cannot be read or is not TOML, with line, column and caret.
   explicit SceneFile(const std::filesystem::path& path);
+  /// The same of a text that is to stand in the file.
+  SceneFile(const std::filesystem::path& path, const std::string& text);
 
   const std::string& path() const { return path_; }
   /// The scene's name entry, or null.

@@ -23,7 +23,7 @@ void ask_for_stop(int signal) {
   if (stop_flag == 0) {
     asked_at = seconds_now();
     stop_flag = 1;
-  } else if (seconds_now() - asked_at > 1) {
+  } else if (signal != SIGXCPU && seconds_now() - asked_at > 1) {  // that one comes every second until the hard limit
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -41,11 +41,17 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+bool is_ignored(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void catch_stop_signals() {
   stop_flag = 0;
-  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) handle(signal, ask_for_stop);
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGXCPU}) handle(signal, ask_for_stop);
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, ask_for_stop);  // under nohup it is
   handle(SIGUSR2, ask_for_checkpoint);
 }
 

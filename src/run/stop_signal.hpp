@@ -2,9 +2,10 @@
 
 namespace sphk {
 
-/// Forgets what was asked for before. From now on SIGTERM, SIGINT and SIGUSR1 only ask for a stop. One that comes two
-/// seconds or more after the first ends the program as usual: `timeout`, shells and batch systems send a stop twice, to
-/// the program and to its process group. SIGUSR2 asks for a checkpoint.
+/// Forgets what was asked for before. From now on SIGTERM, SIGINT, SIGUSR1, SIGHUP (but for programs under nohup) and
+/// SIGXCPU only ask for a stop. One that comes two seconds or more after the first ends the program as usual:
+/// `timeout`, shells and batch systems send a stop twice, to the program and to its process group. SIGXCPU never does,
+/// since it comes every second once the limit of CPU time is reached. SIGUSR2 asks for a checkpoint.
 void catch_stop_signals();
 /// Has a stop been asked for?
 bool stop_requested();

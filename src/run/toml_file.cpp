@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "src/engine/errors.hpp"
+#include "src/io/input_file.hpp"
 
 namespace sphk {
 
@@ -79,20 +80,24 @@ std::optional<Fault> deep_nesting(std::string_view text) {
   return std::nullopt;
 }
 
-std::string text_of_file(const std::filesystem::path& path, const std::string& what) {
-  try {
-    std::ifstream file(path, std::ios::binary);
-    if (file) return {std::istreambuf_iterator<char>(file), {}};
-  } catch (const std::ios_base::failure&) {  // a folder opens well, but cannot be read
-  }
-  throw InputError(fmt::format("cannot read the {} {}: is the path right?", what, path.string()));
-}
-
 }  // namespace
 
+std::string read_toml_file(const std::filesystem::path& path, const std::string& what) {
+  try {
+    require_file(path);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("cannot read the {} {}", what, error.what()));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (file) return {std::istreambuf_iterator<char>(file), {}};
+  throw InputError(fmt::format("cannot read the {} {}: may it be read by you?", what, path.string()));
+}
+
 toml::value parse_toml(const std::filesystem::path& path, const std::string& what) {
-  const std::string text = text_of_file(path, what);
-  const std::string name = path.string();
+  return parse_toml_text(read_toml_file(path, what), path.string());
+}
+
+toml::value parse_toml_text(const std::string& text, const std::string& name) {
   for (const auto find_fault : {wrong_character, deep_nesting})
     if (const auto fault = find_fault(text)) {
       const std::string_view before(text.data(), fault->at);

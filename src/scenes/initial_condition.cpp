@@ -7,10 +7,17 @@ namespace sphk {
 
 namespace {
 
+/// The gas with ids 1, 2, ...: a snapshot, which is sorted by id, then has the order of its rows.
+ParticleSet numbered_by_row(ParticleSet gas) {
+  gas.id.clear();
+  return gas;
+}
+
 /// u = P / ((gamma - 1) rho) with the density that the run's own smoothing kernel measures.
 void set_pressure(ParticleSet& gas, double P, const Settings& settings) {
   const SimulationSettings simulation = simulation_settings(settings);
-  const std::vector<double> rho = make_simulation(gas, simulation)->snapshot().field("Densities").values;
+  const Snapshot measured = make_simulation(numbered_by_row(gas), simulation)->snapshot();
+  const std::vector<double>& rho = measured.field("Densities").values;
   for (std::size_t i = 0; i < gas.size(); ++i) gas.u[i] = P / ((simulation.gamma - 1) * rho[i]);
 }
 
@@ -19,9 +26,8 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
   simulation.precision = "mixed";
   simulation.steps = global_steps;
   simulation.numbers.set("time.motion", 1);
-  ParticleSet resting = gas;
+  ParticleSet resting = numbered_by_row(gas);
   resting.time = 0;
-  resting.id.clear();  // 1, 2, ...: the order of the rows
   resting.v.assign(gas.size(), {0, 0, 0});
   const auto run = make_simulation(resting, simulation);
   while (run->time() < time) run->step(time);

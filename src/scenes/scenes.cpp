@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/hint.hpp"
 
 namespace sphk {
 
@@ -31,8 +32,9 @@ const Scene& find_scene(const std::string& name) {
     if (scene->name() == name) return *scene;
     names.declare({.name = scene->name(), .value = false, .doc = {}, .choices = {}});
   }
-  throw InputError(fmt::format("there is no scene \"{}\"; did you mean \"{}\"? `sphk list` shows them all", name,
-                               names.nearest(name)));
+  throw InputError(
+      fmt::format("there is no scene \"{}\"; {} `sphk list` shows them all", name,
+                  hint(names.nearest(name), "is it the name of a file? Its path needs a slash or .hdf5.")));
 }
 
 }  // namespace sphk

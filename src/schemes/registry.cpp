@@ -10,6 +10,7 @@
 #include "src/engine/geometry.hpp"
 #include "src/engine/loading.hpp"
 #include "src/engine/output.hpp"
+#include "src/engine/scaled_simulation.hpp"
 #include "src/schemes/checks.hpp"
 
 namespace sphk {
@@ -147,7 +148,11 @@ std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const 
   check_runnable(particles);
   const SimulationSettings settings = resolved(asked, particles.dimension, rows);
   check_runnable(settings, particles, least_neighbours(rows, settings.kernel, particles.dimension));
-  return choose(rows, settings, particles.dimension, traits_of(particles)).make(particles, settings);
+  const Instantiation& row = choose(rows, settings, particles.dimension, traits_of(particles));
+  const Scale scale = settings.own_units.value_or(scale_of(particles));
+  return std::make_unique<ScaledSimulation>(
+      row.make(particles, in_own_units(settings, scale, row.numbers, particles.dimension)), scale, particles.dimension,
+      settings.gamma);
 }
 
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {

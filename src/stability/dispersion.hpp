@@ -80,7 +80,4 @@ inline constexpr double widest_support = 20;
 /// The slowest waves over R10's directions.
 WaveModes least_waves(const Lattice& lattice, const std::string& kernel, double h, double gamma, int samples);
 
-/// A sentence where particles of this kernel and neighbour number leave a cubic (in 2D square) lattice, else nothing.
-std::string stability_remark(const std::string& kernel, double neighbours, int dimension, double gamma);
-
 }  // namespace sphk

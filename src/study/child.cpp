@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> run_arguments(const std::string& what, const KeyTexts& keys, const fs::path& folder,
                                        int threads) {
   std::vector<std::string> words{what, "--out", folder.string(), "--overwrite"};
-  for (const auto& [key, text] : keys) words.insert(words.end(), {"--set", key + "=" + text});
+  for (const auto& [key, text] : last_of_each(keys)) words.insert(words.end(), {"--set", key + "=" + text});
   if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});
   return words;
 }

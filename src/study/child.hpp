@@ -21,7 +21,7 @@ struct Batch {
   bool wants(const std::string& name) const { return names.empty() || std::ranges::find(names, name) != names.end(); }
 };
 
-/// `what` with these keys, in a folder that it may overwrite, as run_child takes it.
+/// `what` with these keys, the later of equal ones, in a folder that it may overwrite, as run_child takes it.
 std::vector<std::string> run_arguments(const std::string& what, const KeyTexts& keys,
                                        const std::filesystem::path& folder, int threads);
 

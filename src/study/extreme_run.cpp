@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/hint.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/report/history.hpp"
@@ -88,7 +89,8 @@ Quantity quantity_of(const std::string& name, const FinishedRun& run) {
   for (const std::string one : {"unsound", "threads", "front", "pairs", "energy", "momentum", "angular_momentum"})
     known.declare({.name = one, .value = 0.0, .doc = "", .choices = {}});
   for (const auto& [one, value] : row) known.declare({.name = one, .value = 0.0, .doc = "", .choices = {}});
-  throw InputError(fmt::format("no number \"{}\"; did you mean \"{}\"?", name, known.nearest(name)));
+  throw InputError(
+      fmt::format("no number \"{}\"; {}", name, hint(known.nearest(name), "columns of history.csv are numbers")));
 }
 
 double difference(const fs::path& one, const fs::path& other) {

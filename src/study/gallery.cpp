@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A scene, its tile and what its run came to.
-struct Shown {
+struct GalleryRun {
   const Scene* scene;
   GalleryTile tile;
   fs::path folder;
@@ -38,7 +38,7 @@ struct Shown {
   fs::path thumbnail() const { return folder / "thumbnail.png"; }
 };
 
-KeyTexts keys_of(const Shown& shown) {
+KeyTexts keys_of(const GalleryRun& shown) {
   KeyTexts keys{{"output.snapshots", "1"}};
   for (const std::string& text : shown.tile.keys) {
     const std::size_t sign = text.find('=');
@@ -59,8 +59,8 @@ std::string error_of(const Json& run, const GalleryTile& tile) {
   return fmt::format("energy drift {:.0e}", number_in(run["conservation"]["energy"]));
 }
 
-Shown show(const Scene& scene, const fs::path& gallery, int threads) {
-  Shown shown{&scene, scene.gallery(), gallery / "runs" / scene.name()};
+GalleryRun show(const Scene& scene, const fs::path& gallery, int threads) {
+  GalleryRun shown{&scene, scene.gallery(), gallery / "runs" / scene.name()};
   fs::create_directories(shown.folder.parent_path());
   const fs::path log = shown.folder.string() + ".log";
   const int code = run_child(run_arguments(scene.name(), keys_of(shown), shown.folder, threads), log);
@@ -77,9 +77,9 @@ Shown show(const Scene& scene, const fs::path& gallery, int threads) {
 }
 
 /// Draws the thumbnails and the sheet with all of them.
-void draw(const std::vector<Shown>& tiles, const fs::path& sheet) {
+void draw(const std::vector<GalleryRun>& tiles, const fs::path& sheet) {
   Json items = Json::array();
-  for (const Shown& shown : tiles) {
+  for (const GalleryRun& shown : tiles) {
     if (!shown.failure.empty()) continue;
     Json item = describe_snapshot(shown.folder / "snap_0001.hdf5",
                                   resolve_problem((shown.folder / "scene.used.toml").string(), {}), true);
@@ -92,13 +92,13 @@ void draw(const std::vector<Shown>& tiles, const fs::path& sheet) {
   if (!items.empty()) run_plot_script(Json{{"gallery", items}, {"out", sheet.string()}}.dump());
 }
 
-std::string page_of(const std::vector<Shown>& tiles) {
+std::string page_of(const std::vector<GalleryRun>& tiles) {
   std::string body = fmt::format(
       "<h1>sphk: the gallery</h1>\n<p class=\"meta\">A small run of every scene, in CPU seconds of the time loop on "
       "{}. "
       "Points are particles or their means, lines the exact solution.</p>\n<div class=\"tiles\">\n",
       html_text(machine_name()));
-  for (const Shown& shown : tiles) {
+  for (const GalleryRun& shown : tiles) {
     const bool there = shown.failure.empty();
     const std::string name = shown.scene->name();
     std::string command = "sphk run " + name;
@@ -121,7 +121,7 @@ bool make_gallery(const Batch& batch) {
   const fs::path folder = batch.out.value_or("gallery");
   fs::create_directories(folder);
   catch_stop_signals();
-  std::vector<Shown> tiles;
+  std::vector<GalleryRun> tiles;
   for (const Scene* scene : wanted) {
     fmt::print("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), scene->name());
     std::fflush(stdout);
@@ -135,7 +135,7 @@ bool make_gallery(const Batch& batch) {
   draw(tiles, folder / "gallery.png");
   write_atomically(folder / "index.html", page_of(tiles));
   fmt::print("{}\n", (folder / "index.html").string());
-  return std::ranges::all_of(tiles, [](const Shown& shown) { return shown.failure.empty(); });
+  return std::ranges::all_of(tiles, [](const GalleryRun& shown) { return shown.failure.empty(); });
 }
 
 }  // namespace sphk

@@ -32,11 +32,21 @@ KeyTexts keys_of(const StudyPlan& plan, const StudyPoint& point) {
   return keys;
 }
 
+void refuse_keys_given_twice(const StudyRequest& request) {
+  std::vector<std::string> keys;
+  for (const auto& [key, text] : request.fixed) keys.push_back(key);
+  for (const StudyAxis& axis : request.axes) keys.push_back(axis.key);
+  std::ranges::sort(keys);
+  if (const auto twice = std::ranges::adjacent_find(keys); twice != keys.end())
+    throw InputError(fmt::format("{} is given twice, by its own option, --vary or --set: give it once", *twice));
+}
+
 /// A preset's file, a study file, or the axes of the command line; with the request's own choices.
 StudyPlan asked_plan(const StudyRequest& request) {
   const std::string& what = request.what;
   const fs::path preset = shared_folder() / "studies" / (what + ".toml");
   const bool named = what.find('/') == std::string::npos && fs::exists(preset);
+  refuse_keys_given_twice(request);
   StudyPlan plan;
   if (named || is_study_file(what)) {
     plan = read_study_file(named ? preset : fs::path(what));
@@ -59,6 +69,12 @@ StudyPlan asked_plan(const StudyRequest& request) {
   return plan;
 }
 
+/// Is it one of the errors against an exact solution?
+bool is_profile_error(std::string norm) {
+  if (constexpr std::string_view each = "_particles"; norm.ends_with(each)) norm.resize(norm.size() - each.size());
+  return norm == "v" || norm == "rho" || norm == "P";
+}
+
 /// Throws InputError where a point's keys are none or nothing measures its error, before anything runs. Chooses the
 /// norm where nobody did.
 void check(StudyPlan& plan) {
@@ -66,9 +82,14 @@ void check(StudyPlan& plan) {
     const Problem problem = resolve_problem(plan.scene, overrides_of(keys_of(plan, point)));
     if (problem.scene->exact(problem.settings)) {
       if (plan.norm.empty()) plan.norm = "v";
-      continue;
+      if (is_profile_error(plan.norm)) continue;
     }
     const std::vector<Reference> references = problem.scene->references(problem.settings);
+    if (problem.scene->exact(problem.settings) && references.empty())
+      throw InputError(
+          fmt::format("{} has no error of \"{}\"; take --norm v, rho or P, of all particles with "
+                      "_particles behind it",
+                      plan.scene, plan.norm));
     if (const std::string wanted = problem.scene->keys_with_references(); references.empty())
       throw InputError(fmt::format(
           "{} has neither an exact solution nor values of converged runs{}", plan.scene,

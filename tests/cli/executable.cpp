@@ -76,7 +76,7 @@ TEST_F(Executable, ARunLeavesTheFilesOfTheContract) {
   // The first line says what runs; without a terminal there is no bar.
   EXPECT_TRUE(result.text.starts_with("sphk ")) << result.text;
   for (const char* part :
-       {"512 particles in 3D", "precision", "threads", "kernel cs", "updates/s", "phase", "sphk plot uniform-run"})
+       {"512 particles in 3D", "precision", " 1 thread,", "kernel cs", "updates/s", "phase", "sphk plot uniform-run"})
     EXPECT_NE(result.text.find(part), std::string::npos) << part << "\n" << result.text;
   EXPECT_EQ(result.text.find('\r'), std::string::npos);
 }

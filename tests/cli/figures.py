@@ -272,6 +272,15 @@ class Figures(unittest.TestCase):
         self.sphk("plot", "alone/snap.hdf5")
         self.assertTrue(os.path.exists(os.path.join(self.folder, "alone/snap.png")))
 
+    def test_a_run_is_drawn_from_its_folder_where_its_initial_condition_is_gone(self):
+        start = os.path.join(self.folder, "ic.hdf5")
+        with open(os.path.join(self.folder, "run", "snap_0001.hdf5"), "rb") as source, open(start, "wb") as copy:
+            copy.write(source.read())
+        self.sphk("run", "ic.hdf5", "--t-end", "0.1", "--steps", "2", "--out", "from-file")
+        os.remove(start)
+        names = self.sphk("plot", "from-file").split()
+        self.assertIn("snap_0001.png", [os.path.basename(n) for n in names])
+
     def test_a_python_without_matplotlib_is_named_with_the_cure(self):
         text = self.sphk("plot", "run", code=2, SPHK_PYTHON="/nonexistent/python3")
         self.assertIn("apt-get install python3-matplotlib python3-h5py", text)

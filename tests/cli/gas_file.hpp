@@ -10,12 +10,12 @@
 namespace sphk {
 
 /// Writes gas as other codes do, with SWIFT's names and no group of sphk's own; ids from 1. The box begins at 0; all of
-/// its axes are periodic, or none.
+/// its axes are periodic, or none. A dimension of 0 is not written.
 inline void write_gas_file(const std::filesystem::path& path, const ParticleSet& gas) {
   hdf5::File file = hdf5::File::create();
   hdf5::Group header = file.create_group("Header");
   header.set("BoxSize", std::vector(gas.box.size.begin(), gas.box.size.end()));
-  header.set("Dimension", gas.dimension);
+  if (gas.dimension > 0) header.set("Dimension", gas.dimension);
   header.set("Time", gas.time);
   file.create_group("RuntimePars").set("PeriodicBoundariesOn", gas.box.periodic[0] ? 1 : 0);
   hdf5::Group part = file.create_group("PartType0");

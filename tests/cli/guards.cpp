@@ -1,5 +1,6 @@
 // Wrong input ends with a sentence and its exit code; what looks wrong and is not runs.
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <functional>
 #include <limits>
@@ -113,7 +114,7 @@ TEST_F(Guards, StepsThatDoNotChangeTheTimeNameTheParticleAndTheRemedy) {
   stuck("fast.hdf5", "--precision double", {"too short to change the time", "time.courant"}, fast(1e18));
   stuck("hot.hdf5", "", {"too short to change the time", "time.courant"}, hot);
   stuck("hot-own.hdf5", "--set time.steps=individual", {"below the shortest one", "output.snapshots"}, hot);
-  stuck("faster.hdf5", "", {"not a positive number", "sph.precision"}, fast(1e20));
+  stuck("faster.hdf5", "", {"too short to change the time", "time.courant"}, fast(1e20));
 }
 
 TEST_F(Guards, FewerParticlesThanNeighboursRunAndNoneDoNot) {
@@ -131,9 +132,42 @@ TEST_F(Guards, FewerParticlesThanNeighboursRunAndNoneDoNot) {
   EXPECT_EQ(sphk("run periodic.hdf5 --t-end 0.1 --steps 2 --out again").text.find(images), std::string::npos);
 }
 
-TEST_F(Guards, AFlatGasThatIsSaidToBe3DRunsWithANote) {
+TEST_F(Guards, AFlatGasThatIsSaidToBe3DRuns) {
   expect_of_gas(
-      "sheet.hdf5", [](auto& gas) { gas.dimension = 3; }, 0, {"all particles have the same z", "Dimension"}, "", 2);
+      "sheet.hdf5", [](auto& gas) { gas.dimension = 3; }, 0, {"complete"}, "", 2);
+}
+
+TEST_F(Guards, AFlatGasWithoutADimensionIsAskedForIt) {
+  const auto unsaid = [](auto& gas) { gas.dimension = 0; };  // no attribute is written
+  expect_of_gas("plane.hdf5", unsaid, bad_input, {"the same z", "scene.dimension=2 or 3"}, "", 2);
+  expect_of_gas("line.hdf5", unsaid, bad_input, {"the same y and z", "scene.dimension=1 or 3"}, "", 1);
+  expect("ic check line.hdf5", bad_input, {"error: all particles have the same y and z", "No run can start"});
+  expect("info line.hdf5", 0, {"no run can start from it: all particles have the same y and z"});
+  expect("rates line.hdf5 --out rates.hdf5", bad_input, {"the same y and z"});
+  expect("run plane.hdf5 --steps 2 --t-end 0.1 --out 2d --set scene.dimension=2", 0, {"in 2D", "complete"});
+  expect("run plane.hdf5 --steps 2 --t-end 0.1 --out 3d --set scene.dimension=3", 0, {"in 3D", "complete"});
+  expect("run plane.hdf5 --t-end 0.1 --out 1d --set scene.dimension=1", bad_input, {"row 1 ", "lies elsewhere"});
+}
+
+TEST_F(Guards, EveryCommandSaysWhatWasAssumedOfAFile) {
+  write_gas("gas.hdf5", [](auto& gas) { gas.x[row][0] = 1.25; });
+  for (const std::string command : {"run gas.hdf5 --t-end 0.1 --steps 1 --out run", "rates gas.hdf5 --out rates.hdf5",
+                                    "info gas.hdf5", "ic check gas.hdf5"})
+    expect(command, 0,
+           {"note: the file does not say its adiabatic index", "note: the file does not say its units",
+            "note: smoothing lengths are taken as a first guess", "note: 1 particle outside the box: row 7 (id 8)"});
+}
+
+TEST_F(Guards, PipesAndFoldersAreRefused) {
+  for (const char* name : {"pipe.hdf5", "pipe.toml"}) {
+    mkfifo(file(name).c_str(), 0600);
+    expect(std::string("run ") + name, bad_input, {name, "a pipe"});
+  }
+  expect("info pipe.hdf5", bad_input, {"a pipe"});
+  for (const char* name : {"folder.hdf5", "folder.toml"}) {
+    std::filesystem::create_directory(file(name));
+    expect(std::string("run ") + name, bad_input, {name, "a folder"});
+  }
 }
 
 TEST_F(Guards, FoldersThatCannotBeMadeAreNamedWithTheRemedy) {

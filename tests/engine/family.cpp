@@ -69,26 +69,40 @@ class Family : public testing::TestWithParam<std::tuple<int, int>> {
   Gas gas = evaluate();
   std::vector<double> z = weights();
 
-  /// rho_i = eta_i sum_j (m_j/eta_j) W (R10 eq 19), eta from the observable density.
+  /// Neighbours and their W.
+  using Weights = std::vector<std::pair<std::size_t, double>>;
+  /// rho_i = eta_i sum_j (m_j/eta_j) W (R10 eq 19), eta from the observable density; where A is integrated those A with
+  /// which P/((gamma-1) rho) is the u given.
   Gas evaluate() const {
+    const std::size_t n = particles.size();
+    const double gamma = settings.gamma;
+    std::vector<double> A(n);
+    for (std::size_t i = 0; i < n; ++i) A[i] = (gamma - 1) * particles.u[i] * std::pow(sums.rho[i], 1 - gamma);
+    std::vector<Weights> W(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (const auto& pair : sums.pairs(int(i)))
+        W[i].emplace_back(pair.j, flavour.gather ? sums.W_own(int(i), pair.r) : pair.W);
+    Gas g = of_entropies(A, W);
+    for (int round = 0; flavour.energy == "entropy" && round < 60; ++round) {
+      for (std::size_t i = 0; i < n; ++i) A[i] *= particles.u[i] / g.u[i];
+      g = of_entropies(A, W);
+    }
+    return g;
+  }
+  Gas of_entropies(const std::vector<double>& A, const std::vector<Weights>& W) const {
     Gas g;
     const std::size_t n = particles.size();
     const double gamma = settings.gamma;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double A = (gamma - 1) * particles.u[i] * std::pow(sums.rho[i], 1 - gamma);
-      g.eta.push_back(flavour.eta(sums.rho[i], particles.u[i], A));
-      g.A.push_back(A);
-    }
+    for (std::size_t i = 0; i < n; ++i) g.eta.push_back(flavour.eta(sums.rho[i], particles.u[i], A[i]));
     for (std::size_t i = 0; i < n; ++i) {
       double sum = 0;
-      for (const auto& pair : sums.pairs(int(i)))
-        sum += particles.m[pair.j] / g.eta[pair.j] * (flavour.gather ? sums.W_own(int(i), pair.r) : pair.W);
+      for (const auto& [j, weight] : W[i]) sum += particles.m[j] / g.eta[j] * weight;
       g.rho.push_back(flavour.standard ? sums.rho[i] : g.eta[i] * sum);
       const bool entropy = flavour.energy == "entropy";
-      g.P.push_back(entropy ? g.A[i] * std::pow(g.rho[i], gamma) : (gamma - 1) * g.rho[i] * particles.u[i]);
+      g.P.push_back(entropy ? A[i] * std::pow(g.rho[i], gamma) : (gamma - 1) * g.rho[i] * particles.u[i]);
       g.u.push_back(g.P[i] / ((gamma - 1) * g.rho[i]));
       g.c.push_back(std::sqrt(gamma * g.P[i] / g.rho[i]));
-      if (!entropy) g.A[i] = g.P[i] / std::pow(g.rho[i], gamma);
+      g.A.push_back(g.P[i] / std::pow(g.rho[i], gamma));
     }
     return g;
   }
@@ -214,7 +228,7 @@ TEST(Family, TakesAUsersFreeFunction) {
   std::vector<double> rho(gas.size(), 0.0), P;
   for (int i = 0; i < 100; ++i) {
     for (const auto& pair : sums.pairs(i)) rho[i] += gas.m[pair.j] * pair.W;  // R10 eq 19 with eta = 1: Wbar
-    P.push_back(2.0 / 3 * gas.u[i] * std::pow(rho[i] / sums.rho[i], 2.0 / 3) * rho[i]);
+    P.push_back(2.0 / 3 * gas.u[i] * rho[i]);
   }
   std::vector<Array3> a(gas.size(), Array3{});
   for (int i = 0; i < 100; ++i)

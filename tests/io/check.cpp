@@ -104,6 +104,41 @@ TEST(Check, FindsParticlesOutsideTheBoxInTheDimensionsThereAre) {
   EXPECT_TRUE(check_particles(p).empty());
 }
 
+// A few that left a periodic box are wrapped into it; when more than one in fifty is beyond the next box, the box has
+// another unit than the positions. An open box holds nothing.
+TEST(Check, ManyParticlesFarOutsideAPeriodicBoxAreAnError) {
+  const auto severity = [](std::size_t count, double x, bool periodic) {
+    ParticleSet p = healthy(100);
+    p.box.periodic[0] = periodic;
+    for (std::size_t i = 0; i < count; ++i) p.x[i][0] = x + static_cast<double>(i) / 1000;
+    const Finding finding = only_finding(p);
+    EXPECT_EQ(finding.count, count);
+    return finding.severity;
+  };
+  EXPECT_EQ(severity(3, 2.5, true), Finding::Severity::error);
+  EXPECT_EQ(severity(3, -1.5, true), Finding::Severity::error);
+  EXPECT_EQ(severity(2, 2.5, true), Finding::Severity::notice);
+  EXPECT_EQ(severity(90, 1.5, true), Finding::Severity::notice);
+  EXPECT_EQ(severity(90, 2.5, false), Finding::Severity::notice);
+}
+
+TEST(Check, GasWithACoordinateInCommonNeedsADimension) {
+  ReadResult content;
+  content.particles = healthy(4);
+  for (std::size_t i = 0; i < 4; ++i)
+    content.particles.x[i] = {0.25 * static_cast<double>(i), 0.5 - 0.125 * static_cast<double>(i), 0.5};
+  EXPECT_NE(dimension_in_doubt(content).find("the same z: say whether the gas is 2D"), std::string::npos);
+  content.dimension_said = true;
+  EXPECT_EQ(dimension_in_doubt(content), "");
+  content = {};
+  content.particles = healthy(4);
+  EXPECT_NE(dimension_in_doubt(content).find("the same y and z: say whether the gas is 1D"), std::string::npos);
+  for (Array3& x : content.particles.x) std::swap(x[0], x[1]);
+  EXPECT_NE(dimension_in_doubt(content).find("gas of 1D lies along x"), std::string::npos);
+  content.particles.x[1][0] = content.particles.x[2][2] = 0.25;
+  EXPECT_EQ(dimension_in_doubt(content), "");
+}
+
 TEST(Check, OnlyAFewExamplesAreKept) {
   ParticleSet p = healthy(50);
   p.m.assign(50, -1.0);

@@ -33,7 +33,7 @@ TEST_F(Info, CountsOtherTypes) {
 
 TEST_F(Info, RemarksOfTheReaderAreShown) {
   ExampleIc{}.make().save(file("ic.hdf5"));
-  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"note: there is no Units group"}));
+  EXPECT_TRUE(mentions(file_info(file("ic.hdf5")), {"note: the file does not say its units"}));
 }
 
 // No rows of so many columns are no bytes at all, so that the size of the file does not speak against them.

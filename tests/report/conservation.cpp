@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sphk {
 namespace {
 
@@ -31,23 +33,42 @@ TEST(Conservation, EnergyAndMassAreRelativeToTheStart) {
   EXPECT_DOUBLE_EQ(c.mass, 0.25);
 }
 
-TEST(Conservation, MomentumOfASystemThatStartsAtRestIsMeasuredBySqrt2ME) {
-  // sqrt(2 M E) = sqrt(2 * 2 * 4) = 4; |p| = 5 afterwards.
-  const Conservation c = drift(totals(0, 4, {}), totals(0, 4, {3, 4, 0}), {});
-  EXPECT_DOUBLE_EQ(c.momentum, 5.0 / 4);
+TEST(Conservation, EnergyIsRelativeToItsPartsWhichMayCancel) {
+  Totals start = totals(3, 1, {}), now = totals(3.5, 1, {});
+  start.potential = now.potential = -4;  // the sum is 0
+  EXPECT_DOUBLE_EQ(drift(start, now, {}).energy, 0.5 / 8);
 }
 
-TEST(Conservation, ALargeMomentumIsItsOwnScale) {
-  const Conservation c = drift(totals(0, 4, {40, 0, 0}), totals(0, 4, {44, 0, 0}), {});
-  EXPECT_DOUBLE_EQ(c.momentum, 0.1);
-}
-
-TEST(Conservation, AngularMomentumScalesWithTheLongestSide) {
-  Totals now = totals(0, 4, {});
+TEST(Conservation, MomentaAreRelativeToTheSumOfTheirSizes) {
+  Totals start = totals(1, 4, {0, 0, 0}), now = totals(1, 4, {3, 4, 0});
+  start.momentum_sizes = 50, now.momentum_sizes = 40;
+  start.angular_momentum_sizes = 10, now.angular_momentum_sizes = 20;
   now.angular_momentum = {0, 0, 2};
+  const Conservation c = drift(start, now, {});
+  EXPECT_DOUBLE_EQ(c.momentum, 5.0 / 50);
+  EXPECT_DOUBLE_EQ(c.angular_momentum, 2.0 / 20);
+  EXPECT_FALSE(c.momentum_of_start || c.angular_momentum_of_start) << "they start at zero";
+}
+
+TEST(Conservation, MomentaThatAreThereAtTheStartAreAlsoTheirOwnScale) {
+  Totals start = totals(1, 4, {40, 0, 0}), now = totals(1, 4, {44, 0, 0});
+  start.momentum_sizes = now.momentum_sizes = 400;
+  const Conservation c = drift(start, now, {});
+  EXPECT_DOUBLE_EQ(c.momentum, 0.01);
+  ASSERT_TRUE(c.momentum_of_start);
+  EXPECT_DOUBLE_EQ(*c.momentum_of_start, 0.1);
+}
+
+TEST(Conservation, RoundingInGasAtRestIsNoDrift) {
+  Totals now = totals(0, 4, {1e-16, 0, 0});
+  now.momentum_sizes = 1e-15;
+  now.angular_momentum = {0, 0, 2e-16};
+  now.angular_momentum_sizes = 3e-15;
   Box box;
   box.size = {1, 5, 1};
-  EXPECT_DOUBLE_EQ(drift(totals(0, 4, {}), now, box).angular_momentum, 2.0 / (4 * 5));
+  const double of_heat = std::sqrt(2 * 2 * 4.0);
+  EXPECT_DOUBLE_EQ(drift(totals(0, 4, {}), now, box).momentum, 1e-16 / (1e-6 * of_heat));
+  EXPECT_DOUBLE_EQ(drift(totals(0, 4, {}), now, box).angular_momentum, 2e-16 / (1e-6 * of_heat * 5));
 }
 
 TEST(Conservation, AnEmptySystemGivesNoNan) {

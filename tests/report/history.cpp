@@ -39,6 +39,7 @@ TEST(History, HoldsEveryColumnOfTheContract) {
   totals.thermal = 2;
   totals.momentum = {1, 2, 3};
   totals.angular_momentum = {4, 5, 6};
+  totals.momentum_sizes = 14, totals.angular_momentum_sizes = 15;
   totals.max_speed = 7;
   totals.min_density = 8, totals.max_density = 9, totals.min_pressure = 10, totals.max_pressure = 11;
   totals.min_entropy = 12, totals.max_entropy = 13;
@@ -58,6 +59,8 @@ TEST(History, HoldsEveryColumnOfTheContract) {
                                                      {"angular_momentum_x", 4},
                                                      {"angular_momentum_y", 5},
                                                      {"angular_momentum_z", 6},
+                                                     {"momentum_sizes", 14},
+                                                     {"angular_momentum_sizes", 15},
                                                      {"mass", 1.5},
                                                      {"max_speed", 7},
                                                      {"min_rho", 8},

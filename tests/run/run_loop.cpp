@@ -33,7 +33,9 @@ class Clock : public Simulation {
   void heat(const Array3&, double energy) override { heated += energy, heat_times.push_back(last_.time); }
   double time() const override { return last_.time; }
   std::size_t size() const override { return 1; }
-  Totals totals() const override { return {.mass = 1, .thermal = 1, .momentum = {}, .angular_momentum = {}}; }
+  Totals totals() const override {
+    return {.mass = 1, .thermal = 1 + gains * last_.time, .momentum = {}, .angular_momentum = {}};
+  }
   Costs costs() const override { return {.updates = last_.step, .phases = {}}; }
   StepReport last_step() const override { return last_; }
   Snapshot snapshot() const override {
@@ -56,6 +58,7 @@ class Clock : public Simulation {
   std::vector<double> ends, heat_times;  ///< the t_end of every step, the times of heatings
   double heated = 0;
   long fails_at = 0, stops_at = 0;
+  double gains = 0;  ///< energy a time
 
  private:
   double dt_;
@@ -157,6 +160,25 @@ TEST_F(RunLoopTest, ErrorsGoIntoTheHistory) {
   std::getline(text, names), std::getline(text, first), std::getline(text, second);
   EXPECT_TRUE(names.ends_with(",l1_v")) << names;
   EXPECT_TRUE(second.ends_with(",5")) << second;  // 10 t at t = 0.5
+}
+
+TEST_F(RunLoopTest, ARunThatGainsTooMuchEnergyFailsAtAnOutput) {
+  Clock clock(0.1);
+  clock.gains = 1.5;
+  try {
+    run(clock, {.end = 1, .steps = 0, .snapshots = 4});
+    FAIL();
+  } catch (const NumericsError& error) {
+    EXPECT_NE(std::string(error.what()).find("t = 0.75: the energy has drifted by 1.12"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(times().back(), 0.75) << "it is written what it came to";
+}
+
+TEST_F(RunLoopTest, HowMuchEnergyARunMayGainIsForTheUserToSay) {
+  Clock clock(0.1);
+  clock.gains = 1.5;
+  EXPECT_EQ(run(clock, {.end = 1, .steps = 0, .snapshots = 4, .max_drift = 2}), RunLoop::End::finished);
 }
 
 TEST_F(RunLoopTest, ANumericsErrorPassesThrough) {

@@ -37,5 +37,43 @@ TEST(InitialCondition, SmoothedTemperaturesEvenOutThePressure) {
   EXPECT_LT(unevenness("smoothed"), 1e-6);
 }
 
+/// Gas of densities 2 and 0.5, rows in the order of x and ids in the opposite one.
+struct Numbered : Scene {
+  std::string name() const override { return "numbered"; }
+  std::string summary() const override { return ""; }
+  void declare(Settings&) const override {}
+  int dimension(const Settings&) const override { return 1; }
+  ParticleSet build(const Settings&) const override {
+    ParticleSet gas;
+    gas.dimension = 1;
+    gas.box.periodic[0] = true;
+    double x = 0;
+    for (std::uint64_t i = 0; i < 96; ++i) {
+      gas.m.push_back(i < 48 ? 1.0 / 48 : 0.25 / 48);
+      gas.x.push_back({x, 0, 0});
+      x += 0.5 / 48;
+      gas.id.push_back(96 - i);
+    }
+    gas.v.assign(gas.x.size(), {});
+    gas.u.assign(gas.x.size(), 1);
+    return gas;
+  }
+};
+
+// Densities come sorted by id. Handed out so, the gas of density 2 would have the u of that of density 0.5.
+TEST(InitialCondition, APressureHoldsWhateverTheOrderOfIds) {
+  Settings settings;
+  declare_engine_keys(settings);
+  declare_initial_condition_keys(settings);
+  const Numbered scene;
+  settings.set("sph.precision", std::string("double"), Origin::command_line);
+  settings.set("ic.pressure", 10.0, Origin::command_line);
+  adopt_scheme(settings, 1, false);
+  const auto run = make_simulation(initial_condition(scene, settings), simulation_settings(settings));
+  const std::vector<double> pressures = run->snapshot().field("Pressures").values;
+  EXPECT_EQ(pressures.size(), 96u);
+  for (const double P : pressures) EXPECT_NEAR(P, 10, 1e-5);
+}
+
 }  // namespace
 }  // namespace sphk
