@@ -26,7 +26,7 @@ struct ParticleSet {
   std::vector<Array3> v;          ///< velocity
   std::vector<double> m;          ///< mass
   std::vector<double> u;          ///< specific thermal energy
-  std::vector<double> h;          ///< support radius; may be empty: the engine finds it
+  std::vector<double> h;          ///< support radius; may be empty: the engine finds its own
   std::vector<double> alpha;      ///< of the dissipation switch; may be empty: zero
   std::vector<std::uint64_t> id;  ///< unique; may be empty: 1..n
   std::vector<int> tag;           ///< where the gas comes from, a scene's own numbers; may be empty: no such thing

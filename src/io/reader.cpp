@@ -196,7 +196,7 @@ class Reader {
       remark("there are no smoothing lengths: they will be found");
       return;
     }
-    if (!result_.own_snapshot) remark("smoothing lengths are taken as a first guess of the support radius");
+    if (!result_.own_snapshot) remark("smoothing lengths are not used: support radii are found anew");
     if (unknown > 0) remark(fmt::format("smoothing lengths of 0 ({} of {}) will be found", unknown, n));
   }
 

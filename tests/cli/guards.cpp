@@ -155,7 +155,7 @@ TEST_F(Guards, EveryCommandSaysWhatWasAssumedOfAFile) {
                                     "info gas.hdf5", "ic check gas.hdf5"})
     expect(command, 0,
            {"note: the file does not say its adiabatic index", "note: the file does not say its units",
-            "note: smoothing lengths are taken as a first guess", "note: 1 particle outside the box: row 7 (id 8)"});
+            "note: smoothing lengths are not used", "note: 1 particle outside the box: row 7 (id 8)"});
 }
 
 TEST_F(Guards, PipesAndFoldersAreRefused) {

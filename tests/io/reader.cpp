@@ -94,7 +94,7 @@ TEST_F(Reader, TakesAnyNumberTypeAndColumnShape) {
   EXPECT_EQ(p.h, (std::vector<double>{0.125, 0.25}));
   EXPECT_EQ(p.id, (std::vector<std::uint64_t>{7, 5}));
   EXPECT_EQ(p.box.size, (Array3{1, 2, 1}));
-  EXPECT_TRUE(remarked(result, "first guess"));
+  EXPECT_TRUE(remarked(result, "smoothing lengths are not used"));
 }
 
 TEST_F(Reader, MassTableStandsInForMasses) {
