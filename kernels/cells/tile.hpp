@@ -23,15 +23,23 @@ struct Frame {
     else
       return 0;
   }
-  /// The frame of the particles around `bounds`, moving with particle i.
+  /// The frame of the particles around `bounds`, moving with the middle velocity of three of them, so that one that is
+  /// much faster than all others does not carry the frame away.
   template <class C>
-  KOKKOS_INLINE_FUNCTION static Frame of(const Bounds<D>& bounds, const C& columns, int i) {
+  KOKKOS_INLINE_FUNCTION static Frame of(const Bounds<D>& bounds, const C& columns, int first, int second, int third) {
     Frame frame;
     for (int d = 0; d < D; ++d) {
       frame.x[d] = 0.5 * (bounds.lo[d] + bounds.hi[d]);
-      frame.v[d] = columns.template at<Velocity>(i, d);
+      const double a = columns.template at<Velocity>(first, d), b = columns.template at<Velocity>(second, d),
+                   c = columns.template at<Velocity>(third, d);
+      frame.v[d] = max(min(a, b), min(max(a, b), c));
     }
     return frame;
+  }
+  /// The same, moving with particle i.
+  template <class C>
+  KOKKOS_INLINE_FUNCTION static Frame of(const Bounds<D>& bounds, const C& columns, int i) {
+    return of(bounds, columns, i, i, i);
   }
   KOKKOS_INLINE_FUNCTION Frame shifted(const double* shift) const {
     Frame frame = *this;

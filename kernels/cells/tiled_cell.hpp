@@ -36,7 +36,9 @@ class TiledCell {
     const std::size_t from_sub = CellTile::entries * sizeof(T) % page;
     list_.data = memory + (after + (page + 3 * page / 4 - from_sub) % page) / sizeof(T);
     bound_targets();
-    frame_ = Frame<D>::of(bounds_, columns, begin() + std::countr_zero(targets));
+    const int first = begin() + std::countr_zero(targets), last = begin() + 63 - std::countl_zero(targets);
+    const int middle = is_target((first + last) / 2) ? (first + last) / 2 : first;
+    frame_ = Frame<D>::of(bounds_, columns, first, middle, last);
   }
 
   int begin() const { return cell_ * cell_size; }

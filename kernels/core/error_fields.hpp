@@ -58,6 +58,27 @@ struct ErrorV {
   };
 };
 
+/// (d eta/dt)/eta of R10's free function eta.
+struct EtaRate {
+  static constexpr FieldFacts facts{.name = "EtaRates", .description = "d ln(eta)/dt", .unit = {.time = -1}};
+  template <class T, int D>
+  struct Value {
+    T eta_rate;
+  };
+};
+
+/// epsilon_i, what the density's own rate of change has beside the continuity equation where eta changes (R10 eq 21).
+struct ErrorEpsilon {
+  static constexpr FieldFacts facts{.name = "Epsilon",
+                                    .description = "Residual of the continuity equation (R10 eq 21)",
+                                    .unit = {.mass = 1, .time = -1, .volume = -1},
+                                    .shown = Shown::in_rates};
+  template <class T, int D>
+  struct Value {
+    T epsilon;
+  };
+};
+
 /// max |ln(A_i/A_j)| over neighbours with r < h_i: large where fluids meet.
 struct EntropyContrast {
   static constexpr FieldFacts facts{.name = "EntropyContrast",

@@ -1,12 +1,8 @@
 #pragma once
 
-namespace sphk {
+#include "kernels/core/unit.hpp"
 
-/// Powers in the unit of a field: of length, mass, time, of volume (length^D) and of (mass/volume)^(1 - gamma), which
-/// the entropy function has.
-struct Unit {
-  double length = 0, mass = 0, time = 0, volume = 0, adiabatic = 0;
-};
+namespace sphk {
 
 /// What the components of a field are: `axial` a curl, of which 2D has its z alone; `matrix` a symmetric one, the
 /// diagonal before xy, xz, yz.

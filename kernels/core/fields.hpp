@@ -269,7 +269,9 @@ struct Alpha {
 
 /// alpha_i as the viscosity uses it, with Balsara's factor.
 struct ViscosityAlpha {
-  static constexpr FieldFacts facts{.name = "ViscosityAlpha", .description = "alpha of the viscosity"};
+  static constexpr FieldFacts facts{.name = "ViscosityAlpha",
+                                    .description = "alpha of the viscosity, with Balsara's factor",
+                                    .shown = Shown::in_snapshots};
   template <class T, int D>
   struct Value {
     T alpha_v;

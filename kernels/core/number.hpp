@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/core/field_facts.hpp"
+#include "kernels/core/unit.hpp"
 
 namespace sphk {
 

@@ -10,12 +10,17 @@ namespace sphk {
 
 namespace detail {
 
+/// The gas whose thermal variable is s, at density rho.
+template <class Form>
+KOKKOS_INLINE_FUNCTION GasValues values_of_gas(double s, double rho, double gamma) {
+  const double P = Form::pressure(s, rho, gamma);
+  return {rho, P, P / ((gamma - 1) * rho), P / Kokkos::pow(rho, gamma), gamma};
+}
+
 /// Particle i's gas at density rho.
 template <class L>
 KOKKOS_INLINE_FUNCTION GasValues gas_values(const Particles<L>& state, int i, double rho) {
-  const double gamma = state.parameters.gamma;
-  const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
-  return {rho, P, P / ((gamma - 1) * rho), P / Kokkos::pow(rho, gamma), gamma};
+  return values_of_gas<typename L::ThermalForm>(state.template at<Thermal>(i), rho, state.parameters.gamma);
 }
 
 /// 1/eta of the observable density: what enters the sum for the other one.

@@ -14,9 +14,11 @@ inline constexpr Number motion{
 namespace detail {
 
 /// s + ds, but never below zero: beyond half of s the loss turns into an exponential decay (value and slope
-/// continuous).
-KOKKOS_INLINE_FUNCTION double positive_sum(double s, double ds) {
-  return ds >= -0.5 * s ? s + ds : 0.5 * s * Kokkos::exp(2 * ds / s + 1);
+/// continuous), and is counted.
+KOKKOS_INLINE_FUNCTION double positive_sum(double s, double ds, long& softened) {
+  if (ds >= -0.5 * s) return s + ds;
+  ++softened;
+  return 0.5 * s * Kokkos::exp(2 * ds / s + 1);
 }
 
 /// exp(x) for |x| up to 0.4, to 1e-4: what a prediction needs.
@@ -31,9 +33,10 @@ struct KickAndDrift {
   using Fields = typename L::Fields;
   Particles<L> state;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int i, LossCounts& losses) const {
     const double dt = state.clock.dt;
-    if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i));
+    if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i), losses);
+    LossCounts predicted;  // the closing kick takes their place
     const double moved = dt * state.clock.mobility;
     for (int d = 0; d < D; ++d) {
       state.template at<Position>(i, d) += moved * state.template at<HalfStepVelocity>(i, d);
@@ -41,10 +44,10 @@ struct KickAndDrift {
     }
     double& s = state.template at<Thermal>(i);
     const double s_before = s;
-    s = positive_sum(s, dt * state.template at<ThermalRate>(i));
+    s = positive_sum(s, dt * state.template at<ThermalRate>(i), predicted.heat);
     if constexpr (contains<MassRate, Fields>) {
       double& m = state.template at<Mass>(i);
-      m = positive_sum(m, dt * state.template at<MassRate>(i));
+      m = positive_sum(m, dt * state.template at<MassRate>(i), predicted.mass);
     }
     if constexpr (contains<VelocityDivergence, Fields>) {
       const double expansion = dt * state.template at<VelocityDivergence>(i);
@@ -58,16 +61,16 @@ struct KickAndDrift {
 
  private:
   /// Opening kick over half a step.
-  KOKKOS_INLINE_FUNCTION void open(int i, double half) const {
+  KOKKOS_INLINE_FUNCTION void open(int i, double half, LossCounts& losses) const {
     const double kick = half * state.clock.mobility;
     for (int d = 0; d < D; ++d)
       state.template at<HalfStepVelocity>(i, d) =
           state.template at<Velocity>(i, d) + kick * state.template at<Acceleration>(i, d);
     state.template at<HalfStepThermal>(i) =
-        positive_sum(state.template at<Thermal>(i), half * state.template at<ThermalRate>(i));
+        positive_sum(state.template at<Thermal>(i), half * state.template at<ThermalRate>(i), losses.heat);
     if constexpr (contains<MassRate, Fields>)
       state.template at<HalfStepMass>(i) =
-          positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i));
+          positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i), losses.mass);
   }
   template <class F>
   KOKKOS_INLINE_FUNCTION void scale(int i, double factor) const {
@@ -94,7 +97,7 @@ struct ClosingKick {
   using Fields = typename L::Fields;
   Particles<L> state;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit) const {
+  KOKKOS_INLINE_FUNCTION void operator()(int i, StepLimit& limit, LossCounts& losses) const {
     if (!state.active.contains(i)) return;
     const double half = 0.5 * state.clock.step_of(i), kick = half * state.clock.mobility;
     double sum = 0;  // not finite where anything of the particle is not
@@ -107,11 +110,11 @@ struct ClosingKick {
       const double ds =
           L::ThermalForm::rate(state.template at<Heating>(i), state.state_density(i), state.parameters.gamma);
       state.template at<ThermalRate>(i) = ds;
-      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * ds);
+      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * ds, losses.heat);
     }
     if constexpr (contains<MassRate, Fields>)
       state.template at<Mass>(i) =
-          positive_sum(state.template at<HalfStepMass>(i), half * state.template at<MassRate>(i));
+          positive_sum(state.template at<HalfStepMass>(i), half * state.template at<MassRate>(i), losses.mass);
     sum += state.template at<Thermal>(i);
     const double asked = state.step_asked(i);
     limit += {asked > 0 && Kokkos::isfinite(sum) ? asked : 0, i};
@@ -132,8 +135,10 @@ struct KickDrift {
   using Numbers = sphk::Numbers<motion>;
   template <class L>
   static void run(RunOf<L>& run) {
-    Kokkos::parallel_for(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                         detail::KickAndDrift<L>{run.state.template as<L>()});
+    run.counts.losses = {};
+    Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
+                            detail::KickAndDrift<L>{run.state.template as<L>()},
+                            Kokkos::Sum<LossCounts>(run.counts.losses));
   }
 };
 
@@ -162,8 +167,11 @@ struct KickTimeStep {
   static void run(RunOf<L>& run) {
     run.limit = {};
     if (run.state.n == 0) return;
+    LossCounts losses;
     Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::ClosingKick<L>{run.state.template as<L>()}, Kokkos::Sum<StepLimit>(run.limit));
+                            detail::ClosingKick<L>{run.state.template as<L>()}, Kokkos::Sum<StepLimit>(run.limit),
+                            Kokkos::Sum<LossCounts>(losses));
+    run.counts.losses += losses;
   }
 };
 

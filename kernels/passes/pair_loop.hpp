@@ -25,13 +25,13 @@ struct PairLoop {
   State<S> state;
 
   /// Calls f(cell) for the cell of a team of one host thread: once for all of its targets, or for one after the other
-  /// where the cell is too wide for that.
+  /// where the cell is too wide for that, in space or in velocities.
   template <class F>
   void for_targets_of(const Team& team, F&& f) const {
     const int number = state.active.cell(team.league_rank());
     const TargetMask targets = state.active.targets(state.tree, number);
     void* const scratch = team.team_scratch(scratch_level).get_shmem(Cell::scratch_bytes());
-    const bool wide = is_wide(number);
+    const bool wide = is_wide(number) || is_torn(number);
     for (TargetMask left = targets; left != 0; left = wide ? left & (left - 1) : 0) {
       Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left);
       f(cell);
@@ -53,6 +53,27 @@ struct PairLoop {
     const double* h = state.columns.template row<Support>();
     for (int i = cell * cell_size, end = min(i + cell_size, state.n); i < end; ++i) h_min = min(h_min, h[i]);
     return extent > widest * h_min;
+  }
+  /// Are its velocities so far apart that floats do not resolve the slowest signal among them? They need not where it
+  /// is the neighbours that are so fast, since signals are as well, then.
+  bool is_torn(int cell) const {
+    using All = typename S::Layout::Fields;
+    if constexpr (std::is_same_v<T, double> || !contains<Velocity, Fields> || !contains<MaxSignalVelocity, All>) {
+      return false;
+    } else {
+      constexpr double widest = 1e4;  // floats then miss 1e-3 of the signal
+      const int begin = cell * cell_size, end = min(begin + cell_size, state.n);
+      const double* signal = state.columns.template row<MaxSignalVelocity>();
+      double slowest = signal[begin], spread = 0;
+      for (int i = begin; i < end; ++i) slowest = min(slowest, signal[i]);
+      for (int d = 0; d < D; ++d) {
+        const double* v = state.columns.template row<Velocity>(d);
+        double lo = v[begin], hi = v[begin];
+        for (int i = begin; i < end; ++i) lo = min(lo, v[i]), hi = max(hi, v[i]);
+        spread = max(spread, hi - lo);
+      }
+      return slowest > 0 && spread > widest * slowest;
+    }
   }
 };
 

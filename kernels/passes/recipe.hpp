@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "kernels/passes/state.hpp"
 
 namespace sphk {
@@ -233,7 +235,22 @@ bool serves_one(const Given& given) {
   return true;
 }
 
+template <class T>
+double stiffness_of_one(const Given& given) {
+  if constexpr (requires { T::stiffness(given); }) return T::stiffness(given);
+  return 1;
+}
+
 }  // namespace detail
+
+/// How many times shorter than its Courant number says the steps of recipe R must be: explicit steps follow a
+/// dissipation that is stronger than usual only so.
+template <class R>
+double stiffness(const Given& given) {
+  return [&]<class... T>(List<T...>) {
+    return std::max({1.0, detail::stiffness_of_one<T>(given)...});
+  }(typename R::RateTerms::List{});
+}
 
 /// Does recipe R compute what a run with these numbers of this gas needs?
 template <class R>

@@ -25,6 +25,7 @@ struct TakeRtPressure {
 /// The pressure of Ritchie & Thomas (2001), smooth by construction, in place of A rho^gamma, and nothing else of
 /// theirs: P_i = [sum_j m_j A_j^(1/gamma) Wbar]^gamma (R10 eq 54; S12 eq 20). S12's App. A shows where it fails.
 struct RtPressure {
+  using StateDensity = GeneralDensity;
   static constexpr const char* name = "RT pressure";
   static constexpr bool over_pairs = true;
   using Reads = List<Position, InverseSupport, Mass, Thermal, Density, InverseDensity, Pressure, SoundSpeed>;

@@ -51,6 +51,29 @@ struct FitCounts {
   }
 };
 
+/// Kicks that would have taken more than half of what a particle has of its thermal variable or mass.
+struct LossCounts {
+  long heat = 0, mass = 0;
+  KOKKOS_INLINE_FUNCTION LossCounts& operator+=(const LossCounts& b) {
+    heat += b.heat;
+    mass += b.mass;
+    return *this;
+  }
+};
+
+/// What the passes of a step had to make do with.
+struct StepCounts {
+  SupportCounts searches;
+  FitCounts fits;
+  LossCounts losses;
+  StepCounts& operator+=(const StepCounts& b) {
+    searches += b.searches;
+    fits += b.fits;
+    losses += b.losses;
+    return *this;
+  }
+};
+
 /// Shortest and longest step of a set of particles.
 struct TickRange {
   Ticks shortest = StepClock::block, longest = 0;
@@ -82,11 +105,10 @@ struct Run {
   long step = 0;
   long active_count = 0;  ///< particles computed in the last step
   Schedule schedule;
-  Given given;             ///< the numbers of terms and passes
-  double accept = 0;       ///< relative move at which a search for h ends
-  SupportCounts searches;  ///< of the last pass
-  FitCounts fits;          ///< of the last pass
-  StepLimit limit;         ///< of the next step
+  Given given;        ///< the numbers of terms and passes
+  double accept = 0;  ///< relative move at which a search for h ends
+  StepCounts counts;  ///< of the last step
+  StepLimit limit;    ///< of the next step
 };
 
 template <class L>
@@ -119,6 +141,10 @@ inline constexpr bool is_over_pairs = requires {
 template <>
 struct Kokkos::reduction_identity<sphk::FitCounts> {
   KOKKOS_FORCEINLINE_FUNCTION static sphk::FitCounts sum() { return {}; }
+};
+template <>
+struct Kokkos::reduction_identity<sphk::LossCounts> {
+  KOKKOS_FORCEINLINE_FUNCTION static sphk::LossCounts sum() { return {}; }
 };
 template <>
 struct Kokkos::reduction_identity<sphk::StepLimit> {

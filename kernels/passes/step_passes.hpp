@@ -98,9 +98,9 @@ struct SmoothingLength {
     using Core = typename S::Core;
     const State<Core> state{run.state.template as<typename Core::Layout>(), smoothing};
     if constexpr (compiled_apart<Core>)
-      run.searches = find_support_apart(state, run.given, run.accept);
+      run.counts.searches = find_support_apart(state, run.given, run.accept);
     else
-      run.searches = find_support(state, run.given, run.accept);
+      run.counts.searches = find_support(state, run.given, run.accept);
     fit_cells(run.state);
   }
 };
@@ -117,9 +117,9 @@ struct Gradients {
     using Core = typename S::Core;
     const State<Core> state{run.state.template as<typename Core::Layout>(), smoothing};
     if constexpr (compiled_apart<Core>)
-      run.fits = fit_velocities_apart(state);
+      run.counts.fits = fit_velocities_apart(state);
     else
-      run.fits = fit_velocities(state);
+      run.counts.fits = fit_velocities(state);
   }
 };
 

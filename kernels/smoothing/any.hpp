@@ -43,6 +43,9 @@ class AnyKernel : detail::EachOf<SmoothingKernels> {
   KOKKOS_INLINE_FUNCTION double norm(int dimension) const {
     return with<double>([&](const auto& kernel) { return kernel.norm(dimension); });
   }
+  KOKKOS_INLINE_FUNCTION double norm_of_forces(int dimension) const {
+    return with<double>([&](const auto& kernel) { return sphk::norm_of_forces(kernel, dimension); });
+  }
 
  private:
   template <class Result>

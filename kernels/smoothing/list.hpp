@@ -10,6 +10,7 @@
 #include "kernels/smoothing/b_spline.hpp"
 #include "kernels/smoothing/core_triangle.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
+#include "kernels/smoothing/density_apart.hpp"
 #include "kernels/smoothing/hoct.hpp"
 #include "kernels/smoothing/hydra.hpp"
 #include "kernels/smoothing/johnson.hpp"
@@ -19,8 +20,8 @@
 namespace sphk {
 
 /// Every smoothing kernel. A new one is a file beside these and an entry here.
-using SmoothingKernels = List<CubicSpline, CoreTriangle, Hoct<3>, Hoct<4>, Hoct<5>, Hoct<8>, Liq, Hydra, Johnson,
-                              BSpline<5>, BSpline<6>, WendlandC2, WendlandC4, WendlandC6>;
+using SmoothingKernels = List<CubicSpline, CoreTriangle, CoreTriangleForces, Hoct<3>, Hoct<4>, Hoct<5>, Hoct<8>, Liq,
+                              Hydra, Johnson, BSpline<5>, BSpline<6>, WendlandC2, WendlandC4, WendlandC6>;
 
 /// Names of all smoothing kernels, in the order of the list.
 inline std::vector<std::string> smoothing_kernel_names() {

@@ -5,12 +5,12 @@
 
 namespace sphk {
 
-/// A smoothing kernel in D dimensions with its norm: W(r, h) = N_D h^-D w(r/h).
+/// A smoothing kernel in D dimensions with its norms: W(r, h) = N_D h^-D w(r/h), and that of grad W.
 template <class Kernel, int D>
 struct Smoothing {
   Kernel kernel;
-  double norm;
-  explicit Smoothing(const Kernel& k) : kernel(k), norm(k.norm(D)) {}
+  double norm, force_norm;
+  explicit Smoothing(const Kernel& k) : kernel(k), norm(k.norm(D)), force_norm(norm_of_forces(k, D)) {}
 };
 
 template <int D, class P>
@@ -40,6 +40,14 @@ KOKKOS_FORCEINLINE_FUNCTION P inverse_length(const P& r) {
   using T = lane_t<P>;
   return P(T(1)) / sphk::max(r, P(T(1e-18)));
 }
+/// N_D h^-D of grad W: that of W, `scale`, but for kernels that say otherwise.
+template <class P, int D, class Kernel>
+KOKKOS_FORCEINLINE_FUNCTION P force_scale(const Smoothing<Kernel, D>& smoothing, const P& scale, const P& h_inv_D) {
+  if constexpr (requires { smoothing.kernel.norm_of_forces(D); })
+    return P(lane_t<P>(smoothing.force_norm)) * h_inv_D;
+  else
+    return scale;
+}
 }  // namespace detail
 
 /// j holds the separation from i beside its own values.
@@ -51,12 +59,13 @@ KOKKOS_FORCEINLINE_FUNCTION GatherPair<P, D> gather_pair(const Smoothing<Kernel,
   ij.r_ij = j.r_ij;
   const P r = sphk::sqrt(j.r2);
   ij.q = r * i.h_inv;
-  const P scale = P(T(smoothing.norm)) * power_of_dimension<D>(i.h_inv);
+  const P h_inv_D = power_of_dimension<D>(i.h_inv), scale = P(T(smoothing.norm)) * h_inv_D;
   const Shape<P> shape = smoothing.kernel(ij.q);
   const Shape<P> own = with_own_derivative(smoothing.kernel, ij.q);
   ij.W = scale * shape.w;
   ij.dW_dh = -(scale * i.h_inv) * (P(T(D)) * own.w + ij.q * own.dw);
-  ij.grad_W = (scale * i.h_inv * shape.dw * detail::inverse_length(r)) * ij.r_ij;
+  ij.grad_W =
+      (detail::force_scale(smoothing, scale, h_inv_D) * i.h_inv * shape.dw * detail::inverse_length(r)) * ij.r_ij;
   return ij;
 }
 
@@ -86,11 +95,12 @@ KOKKOS_FORCEINLINE_FUNCTION SymmetricPair<P, D> symmetric_pair(const Smoothing<K
   ij.q = ij.r * i.h_inv;
   ij.q_min = ij.r * sphk::min(i.h_inv, j.h_inv);
   const P norm = P(T(smoothing.norm));
-  const P scale_i = norm * power_of_dimension<D>(i.h_inv), scale_j = norm * power_of_dimension<D>(j.h_inv);
+  const P h_inv_D_i = power_of_dimension<D>(i.h_inv), h_inv_D_j = power_of_dimension<D>(j.h_inv);
+  const P scale_i = norm * h_inv_D_i, scale_j = norm * h_inv_D_j;
   const Shape<P> shape_i = smoothing.kernel(ij.q), shape_j = smoothing.kernel(ij.r * j.h_inv);
   ij.W = P(T(0.5)) * (scale_i * shape_i.w + scale_j * shape_j.w);
-  const P dW_i = scale_i * i.h_inv * shape_i.dw * ij.r_inv;
-  const P dW_j = scale_j * j.h_inv * shape_j.dw * ij.r_inv;
+  const P dW_i = detail::force_scale(smoothing, scale_i, h_inv_D_i) * i.h_inv * shape_i.dw * ij.r_inv;
+  const P dW_j = detail::force_scale(smoothing, scale_j, h_inv_D_j) * j.h_inv * shape_j.dw * ij.r_inv;
   ij.grad_W_i = dW_i * ij.r_ij;
   ij.grad_W_j = dW_j * ij.r_ij;
   const P dW_r = P(T(0.5)) * (dW_i + dW_j);

@@ -28,4 +28,13 @@ KOKKOS_FORCEINLINE_FUNCTION Shape<T> with_own_derivative(const Kernel& kernel, T
     return kernel(q);
 }
 
+/// The norm of dw where it is another kernel's than w (members of that name): grad W has it.
+template <class Kernel>
+KOKKOS_INLINE_FUNCTION constexpr double norm_of_forces(const Kernel& kernel, int dimension) {
+  if constexpr (requires { kernel.norm_of_forces(dimension); })
+    return kernel.norm_of_forces(dimension);
+  else
+    return kernel.norm(dimension);
+}
+
 }  // namespace sphk

@@ -19,7 +19,9 @@ class Tabulated {
   /// Host only; copies share the table.
   template <class Kernel>
   explicit Tabulated(const Kernel& kernel, std::string_view name = Kernel::name)
-      : norms_{kernel.norm(1), kernel.norm(2), kernel.norm(3)} {
+      : norms_{kernel.norm(1), kernel.norm(2), kernel.norm(3)},
+        force_norms_{sphk::norm_of_forces(kernel, 1), sphk::norm_of_forces(kernel, 2),
+                     sphk::norm_of_forces(kernel, 3)} {
     name.copy(name_, sizeof(name_) - 1);
     Table table("smoothing kernel table", intervals + 1);
     const auto rows = Kokkos::create_mirror_view(Kokkos::HostSpace{}, table);
@@ -49,9 +51,8 @@ class Tabulated {
     const Row<T> row = gather(q);
     return {row.value(0), lane_t<T>(intervals) * row.slope(0)};
   }
-  KOKKOS_INLINE_FUNCTION double norm(int dimension) const {
-    return dimension == 1 ? norms_.one : dimension == 2 ? norms_.two : norms_.three;
-  }
+  KOKKOS_INLINE_FUNCTION double norm(int dimension) const { return norms_.in(dimension); }
+  KOKKOS_INLINE_FUNCTION double norm_of_forces(int dimension) const { return force_norms_.in(dimension); }
   const char* name() const { return name_; }
 
  private:
@@ -95,9 +96,12 @@ class Tabulated {
   }
 
   Kokkos::View<const double* [8], Kokkos::LayoutRight> table_;
-  struct {
+  struct Norms {
     double one, two, three;
-  } norms_;
+    KOKKOS_INLINE_FUNCTION double in(int dimension) const {
+      return dimension == 1 ? one : dimension == 2 ? two : three;
+    }
+  } norms_, force_norms_;
   char name_[16] = {};
 };
 

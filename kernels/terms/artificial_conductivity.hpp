@@ -44,6 +44,7 @@ struct ArtificialConductivity {
   explicit ArtificialConductivity(const Given& given)
       : alpha(given[conductivity_alpha] / (given[adiabatic_index] - 1)), signs(given[conductivity_signal]) {}
   static bool idle(const Given& given, const GasTraits&) { return given[conductivity_alpha] == 0; }
+  static double stiffness(const Given& given) { return given[conductivity_alpha]; }
   static bool serves(const Given& given) { return given[conductivity_signal] < 2; }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
@@ -64,6 +65,7 @@ struct ArtificialConductivitySmoothed {
   explicit ArtificialConductivitySmoothed(const Given& given)
       : alpha(given[conductivity_alpha] / (given[adiabatic_index] - 1)) {}
   static bool idle(const Given& given, const GasTraits&) { return given[conductivity_alpha] == 0; }
+  static double stiffness(const Given& given) { return given[conductivity_alpha]; }
   static bool serves(const Given& given) { return given[conductivity_signal] == 2; }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {

@@ -24,6 +24,7 @@ struct EntropyDissipation : AlphaOf {
   explicit EntropyDissipation(const Given& given)
       : AlphaOf(given), strength(given[alpha_A] / (given[adiabatic_index] - 1)) {}
   static bool idle(const Given& given, const GasTraits&) { return given[alpha_A] == 0; }
+  static double stiffness(const Given& given) { return given[alpha_A] * largest_alpha(given); }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

@@ -9,13 +9,15 @@ namespace sphk {
 /// (eta_i/eta_j):
 ///   E0_i =   sum_j (m_j/rho_j) [g_ij + 1/g_ij] h_i grad Wbar
 ///   R_i  = - sum_j (m_j/rho_j) f_ij S_ij
-///   V_i  = - sum_j (m_j/rho_j) S_ij/g_ij,  S_ij = r Wbar' e_ij e_ij.
+///   V_i  = - sum_j (m_j/rho_j) S_ij/g_ij,  S_ij = r Wbar' e_ij e_ij,
+/// and what is left of the continuity equation where eta changes, from the particles' d ln(eta)/dt (R10 eq 21):
+///   epsilon_i = sum_j m_j (d ln(eta_i)/dt - d ln(eta_j)/dt) (eta_i/eta_j) Wbar.
 /// rho is the density of the equations of motion. Forces with grad-h are judged by the same sums, with their phi.
 struct ErrorTerms : PlainTerm {
   using PlainTerm::PlainTerm;
-  using Reads = List<Position, InverseSupport, Support, Mass, Density, InversePhi, InverseEta>;
-  using Adds = List<ErrorE0, ErrorR, ErrorV>;
-  static constexpr int flops = 60;
+  using Reads = List<Position, InverseSupport, Support, Mass, Density, InversePhi, InverseEta, EtaRate>;
+  using Adds = List<ErrorE0, ErrorR, ErrorV, ErrorEpsilon>;
+  static constexpr int flops = 66;
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;
@@ -24,6 +26,7 @@ struct ErrorTerms : PlainTerm {
     sum.E0 += (V_j * (g + one / g) * i.h) * ij.grad_W;
     add_matrix(sum.R, V_j * f, ij.grad_W, ij.r_ij);
     add_matrix(sum.V, V_j / g, ij.grad_W, ij.r_ij);
+    sum.epsilon = sum.epsilon + j.m * (i.eta_rate - j.eta_rate) * (j.eta_inv / i.eta_inv) * ij.W;
   }
 
  private:

@@ -52,6 +52,7 @@ struct MassDissipation : SwitchedAlpha {
         loss(mass_form_of(given).loss),
         gamma_1_inv(1 / (given[adiabatic_index] - 1)) {}
   static bool idle(const Given& given, const GasTraits& gas) { return gas.equal_masses || given[alpha_m] == 0; }
+  static double stiffness(const Given& given) { return given[alpha_m] * largest_alpha(given); }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

@@ -12,6 +12,11 @@ inline constexpr Number switch_alpha{.key = "switch.alpha",
                                      .min = -1,
                                      .max = 100};
 
+/// The largest alpha that a particle can have.
+inline double largest_alpha(const Given& given) {
+  return given[switch_alpha] < 0 ? 1 : given[switch_alpha];
+}
+
 // Where the dissipation of a pair takes its alpha from: of_viscosity and of_dissipation are twice its mean.
 
 /// The switch, with Balsara's factor.

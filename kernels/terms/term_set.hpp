@@ -17,7 +17,8 @@ struct GasTraits {
 /// A term is a pure function of two particles' values, `term(sum, i, j, ij)`, which adds its share of the pair to i's
 /// sums. It declares the fields it Reads and Adds, its Numbers and flops, is made from what a run gives to numbers, and
 /// is branch-free in its number type. Where it can have nothing to add it says so: `idle(given, gas)`; where what it
-/// adds to i and j cancels, weighted by their masses, it claims so: `using Antisymmetric = List<...>`.
+/// adds to i and j cancels, weighted by their masses, it claims so: `using Antisymmetric = List<...>`. Where its
+/// numbers can make it stiffer than what the Courant number is meant for it says how many times: `stiffness(given)`.
 template <class... Terms>
 struct TermSet : Terms... {
   using List = sphk::List<Terms...>;

@@ -21,6 +21,7 @@ struct ViscositySignalVelocity : Limiter {
   double alpha;
   explicit ViscositySignalVelocity(const Given& given) : alpha(given[viscosity_alpha]) {}
   static bool idle(const Given& given, const GasTraits&) { return given[viscosity_alpha] == 0; }
+  static double stiffness(const Given& given) { return given[viscosity_alpha]; }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

@@ -20,6 +20,7 @@ struct ViscositySwitched : AlphaOf {
   double alpha;
   explicit ViscositySwitched(const Given& given) : AlphaOf(given), alpha(given[viscosity_alpha]) {}
   static bool idle(const Given& given, const GasTraits&) { return given[viscosity_alpha] == 0; }
+  static double stiffness(const Given& given) { return given[viscosity_alpha] * largest_alpha(given); }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

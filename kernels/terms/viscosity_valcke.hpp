@@ -24,6 +24,10 @@ struct ViscosityValcke : Limiter {
   double alpha, beta;
   explicit ViscosityValcke(const Given& given) : alpha(given[viscosity_alpha]), beta(given[signal_beta]) {}
   static bool idle(const Given& given, const GasTraits&) { return given[viscosity_alpha] == 0; }
+  /// Beyond the 3 of the signal velocity that steps follow, beta counts as well.
+  static double stiffness(const Given& given) {
+    return given[viscosity_alpha] * (given[signal_beta] > 3 ? given[signal_beta] / 3 : 1);
+  }
 
   KOKKOS_FORCEINLINE_FUNCTION void operator()(auto& sum, const auto& i, const auto& j, const auto& ij) const {
     using P = std::remove_cvref_t<decltype(i.m)>;

@@ -5,6 +5,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/report/quantity.hpp"
+#include "src/run/trial_gas.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -50,11 +51,12 @@ void print_keys(const Settings& settings) {
 
 int show_command(const std::string& what, const std::vector<Override>& overrides) {
   const Problem problem = resolve_problem(what, overrides);
-  const ParticleSet particles = problem.scene->build(with_lattice(problem.settings));
-  const SchemeDescription d = describe(simulation_settings(problem.settings), particles);
+  const TrialGas trial = trial_gas(*problem.scene, with_lattice(problem.settings));
+  const SchemeDescription d = describe(simulation_settings(problem.settings), trial.gas);
+  const Array3& size = trial.gas.box.size;
   fmt::print("{}: {}\n\n", problem.scene->name(), problem.scene->summary());
-  fmt::print("  {:<12} {} in {}D, box {:g} x {:g} x {:g}\n", "particles", particles.size(), d.dimension,
-             particles.box.size[0], particles.box.size[1], particles.box.size[2]);
+  fmt::print("  {:<12} {}{:.0f} in {}D, box {:g} x {:g} x {:g}\n", "particles", trial.refinement > 1 ? "about " : "",
+             trial.particles, d.dimension, size[0], size[1], size[2]);
   fmt::print("  {:<12} {}, kernel {}{}, {:g} neighbours, {} precision\n", "scheme", d.scheme, d.kernel,
              d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
   const SchemeFacts& facts = scheme_facts(d.scheme, compiled_schemes());
@@ -64,7 +66,7 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
   print_list("terms", d.terms, next_line);
   print_list("fields", wrapped(d.fields), next_line);
   fmt::print("  {:<12} {:.0f} bytes per particle ({}), {:.0f} operations per pair\n", "cost", d.bytes_per_particle,
-             bytes_text(d.bytes_per_particle * static_cast<double>(particles.size())), d.flops_per_pair);
+             bytes_text(d.bytes_per_particle * trial.particles), d.flops_per_pair);
   print_list("left out", d.left_out, next_line);
   print_list("idle", d.idle, next_line);
   print_keys(problem.settings);

@@ -39,8 +39,7 @@ class Engine final : public Simulation {
       settle_at(energies_at(run_.state, component_offset<D, Density, typename L::Fields>));
     run_passes();
     require_finite();
-    searches_ += run_.searches;
-    fits_ += run_.fits;
+    counted_ += run_.counts;
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
     count_neighbours(run_.state, counts_, report_);
@@ -65,8 +64,7 @@ class Engine final : public Simulation {
     }
     costs_.updates += run_.active_count;
     costs_.pair_interactions += report_.mean_neighbours * static_cast<double>(run_.active_count);
-    searches_ += run_.searches;
-    fits_ += run_.fits;
+    counted_ += run_.counts;
     return report_;
   }
 
@@ -134,14 +132,18 @@ class Engine final : public Simulation {
     exchange(*this, reader);
   }
 
-  std::vector<std::string> warnings() const override { return warnings_of(searches_, fits_); }
+  Counts counts() const override { return counts_of(counted_); }
 
  private:
   /// Hands everything that changes in a run, but for what each step computes anew, to a writer or reader.
   template <class Self, class Archive>
   static void exchange(Self& self, Archive& archive) {
     auto& run = self.run_;
-    archive("columns", run.state.columns.data);
+    const auto stride = static_cast<std::size_t>(run.state.columns.stride);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(self.facts_.rows); ++row) {
+      auto numbers = Kokkos::subview(run.state.columns.data, std::pair(row * stride, (row + 1) * stride));
+      archive("row " + std::to_string(row), numbers);  // one by one: what is written can be let go of
+    }
     archive("ids", run.state.ids);
     archive("nodes", run.state.tree.nodes());
     archive("tags", self.tags_.values);
@@ -173,8 +175,7 @@ class Engine final : public Simulation {
     archive("updates", self.costs_.updates);
     archive("pair_interactions", self.costs_.pair_interactions);
     archive("seconds", self.seconds_);
-    archive("searches", self.searches_);
-    archive("fits", self.fits_);
+    archive("counts", self.counted_);
   }
 
   void run_passes() {
@@ -268,8 +269,7 @@ class Engine final : public Simulation {
   std::vector<double> seconds_;      ///< of all passes
   StepReport report_;
   Costs costs_;
-  SupportCounts searches_;
-  FitCounts fits_;
+  StepCounts counted_;
 };
 
 template <class L>

@@ -41,10 +41,27 @@ struct FillErrorColumns {
     out.template at<Density>(i) = gas.rho;
     out.template at<InversePhi>(i) = positive(1 / Phi::value(gas));
     out.template at<InverseEta>(i) = positive(1 / Eta::value(gas));
+    out.template at<EtaRate>(i) = eta_rate(i, gas);
     out.template at<Entropy>(i) = gas.A;
   }
   /// Of gas without heat 1/u is infinite: a ratio of such particles is 1 then, not NaN.
   KOKKOS_INLINE_FUNCTION static double positive(double x) { return max(x, 1e-150); }
+  /// d ln(eta)/dt along the way that the particle's gas takes, as a central difference over a time in which nothing
+  /// changes by more than 1e-5 of itself: an eta needs no more than its value.
+  KOKKOS_INLINE_FUNCTION double eta_rate(int i, const GasValues& gas) const {
+    const double s = state.template at<Thermal>(i);
+    const double thermal = s > 0 ? state.template at<ThermalRate>(i) / s : 0;
+    double density = 0;  // (drho/dt)/rho
+    if constexpr (contains<VelocityDivergence, typename L::Fields>) density = -state.template at<VelocityDivergence>(i);
+    const double fastest = max(abs(thermal), abs(density));
+    if (!(fastest > 0 && Kokkos::isfinite(fastest))) return 0;
+    const double dt = 1e-5 / fastest;
+    const auto eta_after = [&](double t) {
+      const double rho = gas.rho * (1 + density * t), s_then = s * (1 + thermal * t);
+      return Eta::value(values_of_gas<typename L::ThermalForm>(s_then, rho, gas.gamma));
+    };
+    return Kokkos::log(eta_after(dt) / eta_after(-dt)) / (2 * dt);
+  }
 };
 
 }  // namespace detail

@@ -11,7 +11,9 @@ namespace sphk {
 /// equations of motion, velocities are left at zero. All schemes share these sums.
 template <int D>
 using ErrorLayout =
-    Layout<D, List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, Entropy>, void>;
+    Layout<D,
+           List<Position, Velocity, Mass, Support, InverseSupport, Density, InversePhi, InverseEta, EtaRate, Entropy>,
+           void>;
 using ErrorTermSet = TermSet<ErrorTerms, NeighbourhoodTerms>;
 
 /// Columns of those fields, allocated.
@@ -21,8 +23,8 @@ extern template Columns<1, ErrorLayout<1>::Fields> error_columns<1>(int n);
 extern template Columns<2, ErrorLayout<2>::Fields> error_columns<2>(int n);
 extern template Columns<3, ErrorLayout<3>::Fields> error_columns<3>(int n);
 
-/// E0, R and V of every particle (R10 eq 28-30), how unlike its neighbours' entropies are and how near the nearest is,
-/// by id. Cells and supports are those of the last step. Defined in error_loops.hpp.
+/// E0, R, V and epsilon of every particle (R10 eq 21, 28-30), how unlike its neighbours' entropies are and how near the
+/// nearest is, by id. Cells and supports are those of the last step. Defined in error_loops.hpp.
 template <int D, class K>
 std::vector<Field> error_fields(const Particles<ErrorLayout<D>>& particles, const Smoothing<K, D>& smoothing);
 

@@ -106,6 +106,7 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   run.time = given.time / scale.factor(time_unit);
   run.accept = facts.mixed ? 1e-4 : 1e-7;  // as near as the pair arithmetic can tell
   run.given = given_of(settings);
+  run.state.parameters.courant /= facts.stiffness(run.given);
   run.state.central = CentralMass(run.given);
   run.state.clock.mobility = run.given[motion];
   if (has_own_steps(settings)) detail::allow_individual_steps(run.state, run.schedule, settings);

@@ -47,7 +47,6 @@ constexpr double flops_per_pair() {
          (generalised ? flops_of_general_density<S> : 0) + flops_of_rates<S>;
 }
 
-/// Sentences on searches for h and fits that did not go as they should.
-std::vector<std::string> warnings_of(const SupportCounts& searches, const FitCounts& fits);
+Counts counts_of(const StepCounts& steps);
 
 }  // namespace sphk

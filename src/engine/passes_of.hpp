@@ -21,7 +21,7 @@ constexpr PassFacts pass_facts() {
     return {P::name, +[](const Given&) { return true; }};
 }
 
-/// Row of the density that the equations of motion take: that of the equation of state.
+/// Row of the density that the equations of motion take: that of the last pass that makes pressures of one.
 template <class L, class P>
 constexpr int state_density_row(int row) {
   if constexpr (requires { typename P::StateDensity; })
@@ -51,6 +51,7 @@ template <class R, class L>
   facts.fields = field_places<L::dimension, typename L::Fields>;
   facts.rows = Particles<L>::Columns::size;
   facts.bytes_per_particle = bytes_per_particle<L>;
+  facts.stiffness = &stiffness<R>;
   for_each_type(typename R::StepPasses{}, [&]<class P>() {
     if (std::is_same_v<P, SmoothingLength>) facts.support_pass = static_cast<int>(facts.passes.size());
     facts.passes.push_back(detail::pass_facts<P>());

@@ -22,7 +22,7 @@ class ScaledSimulation final : public Simulation {
   std::vector<Field> errors() const override { return outer(inner_->errors()); }
   SavedState save() const override;
   void restore(const SavedState& saved) override;
-  std::vector<std::string> warnings() const override { return inner_->warnings(); }
+  Counts counts() const override { return inner_->counts(); }
 
  private:
   StepReport outer(StepReport report) const;

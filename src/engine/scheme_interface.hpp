@@ -29,6 +29,7 @@ struct CompiledFacts {
   int density_pass = 0;                ///< and of the pass that computes the density of the equations of motion
   std::vector<PassFacts> passes;       ///< in the order of a step
   double bytes_per_particle = 0, flops_per_pair = 0;
+  double (*stiffness)(const Given&) = nullptr;  ///< of the recipe (recipe.hpp)
 };
 
 /// The passes of a scheme: the part of a run that knows its fields, smoothing kernel and pair arithmetic.

@@ -71,8 +71,7 @@ void check_range(const Key& key, const Value& value) {
   else
     return;
   if (!std::isfinite(number))
-    throw InputError(fmt::format("{} = {}: a finite number is wanted here; it must lie between {} and {}", key.name,
-                                 to_text(value), key.min, key.max));
+    throw InputError(fmt::format("{} = {}: a finite number is wanted here", key.name, to_text(value)));
   if (!(number >= key.min && number <= key.max))
     throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
 }

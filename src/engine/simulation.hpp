@@ -66,6 +66,18 @@ struct Costs {
   std::vector<std::pair<std::string, double>> phases;  ///< name, seconds, in the order of a step
 };
 
+/// What a run has had to make do with until now, over all particles and steps.
+struct Counts {
+  long bisections = 0;     ///< searches for h that needed the safety net
+  long capped = 0;         ///< that ended at the largest support radius
+  long crowded = 0;        ///< among coincident particles, more than neighbours asked
+  long failed = 0;         ///< that did not converge
+  long linear_fits = 0;    ///< of velocity gradients, in place of second order
+  long sph_estimates = 0;  ///< in place of a fit
+  long softened_heat = 0;  ///< kicks that would have taken more than half of a particle's thermal variable
+  long softened_mass = 0;  ///< or mass
+};
+
 /// Energy that the particle nearest to a place takes in at once.
 struct HeatEvent {
   double time = 0;
@@ -100,8 +112,9 @@ class Simulation {
   /// goes on from it bit by bit, on the same number of threads. restore() throws InputError where it does not fit.
   virtual SavedState save() const = 0;
   virtual void restore(const SavedState& state) = 0;
-  /// Sentences the user should read once, such as particles whose neighbour number could not be met.
-  virtual std::vector<std::string> warnings() const = 0;
+  virtual Counts counts() const = 0;
+  /// Sentences the user should read once: what counts() tells.
+  std::vector<std::string> warnings() const;
 };
 
 /// What a scheme consists of, for `sphk show` and run.json.

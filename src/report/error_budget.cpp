@@ -45,6 +45,16 @@ double distance_from_one(const std::vector<double>& M, int dimension) {
   return n > 0 ? sum / double(n) : 0;
 }
 
+/// Mean |epsilon| over mean |rho div v|: how much of the change of density is none that the equations have.
+double share_of_compression(const std::vector<double>& epsilon, const Snapshot& snapshot) {
+  if (!snapshot.has("VelocityDivergence")) return 0;
+  const auto &div_v = snapshot.field("VelocityDivergence").values, &rho = snapshot.field("Densities").values;
+  double residual = 0, compression = 0;
+  for (std::size_t i = 0; i < epsilon.size(); ++i)
+    residual += std::abs(epsilon[i]), compression += std::abs(rho[i] * div_v[i]);
+  return compression > 0 ? residual / compression : 0;
+}
+
 }  // namespace
 
 ErrorBudget error_budget(const Snapshot& snapshot, const std::vector<Field>& errors) {
@@ -62,6 +72,7 @@ ErrorBudget error_budget(const Snapshot& snapshot, const std::vector<Field>& err
           .bulk = share_of(bulk),
           .R = distance_from_one(values_of(errors, "R"), snapshot.dimension),
           .V = distance_from_one(values_of(errors, "V"), snapshot.dimension),
+          .epsilon = share_of_compression(values_of(errors, "Epsilon"), snapshot),
           .nearest = mean_of(nearest),
           .nearest_low = percentile(nearest, 0.05)};
 }
@@ -70,8 +81,15 @@ std::vector<std::pair<std::string, double>> columns(const ErrorBudget& b) {
   const auto mean = [](const ErrorShare& share) {
     return share.particles > 0 ? share.mean : std::numeric_limits<double>::quiet_NaN();
   };
-  return {{"E0_mean", b.all.mean},     {"E0_95", b.all.high}, {"E0_max", b.all.max}, {"E0_boundary", mean(b.boundary)},
-          {"E0_bulk", mean(b.bulk)},   {"R_error", b.R},      {"V_error", b.V},      {"nearest_mean", b.nearest},
+  return {{"E0_mean", b.all.mean},
+          {"E0_95", b.all.high},
+          {"E0_max", b.all.max},
+          {"E0_boundary", mean(b.boundary)},
+          {"E0_bulk", mean(b.bulk)},
+          {"R_error", b.R},
+          {"V_error", b.V},
+          {"epsilon_share", b.epsilon},
+          {"nearest_mean", b.nearest},
           {"nearest_5", b.nearest_low}};
 }
 

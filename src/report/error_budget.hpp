@@ -16,11 +16,11 @@ struct ErrorShare {
 };
 
 /// How well the particles sample their kernels: |E0| (R10 eq 28) of all of them, of those where fluids meet and of the
-/// others; mean |R - 1| and |V - 1| (Frobenius norm; R10 eq 29); distances of nearest neighbours in mean spacings
-/// (m/rho)^(1/D), whose low end tells particles that clump.
+/// others; mean |R - 1| and |V - 1| (Frobenius norm; R10 eq 29); mean |epsilon| (R10 eq 21) over mean |rho div v|;
+/// distances of nearest neighbours in mean spacings (m/rho)^(1/D), whose low end tells particles that clump.
 struct ErrorBudget {
   ErrorShare all, boundary, bulk;
-  double R = 0, V = 0;
+  double R = 0, V = 0, epsilon = 0;
   double nearest = 0, nearest_low = 0;  ///< mean and 5th percentile
 };
 

@@ -71,9 +71,11 @@ void error_budget(Text out, const ErrorBudget& b) {
   row("all", b.all);
   row("where fluids meet", b.boundary);
   row("away from there", b.bulk);
-  fmt::format_to(out,
-                 "  mean |R - 1| {:.3g}, |V - 1| {:.3g}; nearest neighbour at {:.3g} mean spacings, 5 % below {:.3g}\n",
-                 b.R, b.V, b.nearest, b.nearest_low);
+  fmt::format_to(
+      out,
+      "  mean |R - 1| {:.3g}, |V - 1| {:.3g}, |epsilon| {:.3g} of |rho div v|; nearest neighbour at {:.3g} mean "
+      "spacings, 5 % below {:.3g}\n",
+      b.R, b.V, b.epsilon, b.nearest, b.nearest_low);
 }
 
 }  // namespace

@@ -20,6 +20,17 @@ Json phases(const Costs& costs) {
   return json;
 }
 
+Json counts(const Counts& c) {
+  return {{"bisections", c.bisections},
+          {"capped", c.capped},
+          {"crowded", c.crowded},
+          {"failed", c.failed},
+          {"linear_fits", c.linear_fits},
+          {"sph_estimates", c.sph_estimates},
+          {"softened_heat", c.softened_heat},
+          {"softened_mass", c.softened_mass}};
+}
+
 Json conservation(const Conservation& c) {
   const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
   return {{"energy", c.energy},
@@ -56,6 +67,7 @@ Json error_budget(const ErrorBudget& b) {
   return {{"E0", {{"all", share(b.all)}, {"boundary", share(b.boundary)}, {"bulk", share(b.bulk)}}},
           {"R", b.R},
           {"V", b.V},
+          {"epsilon", b.epsilon},
           {"nearest", {{"mean", b.nearest}, {"percentile_5", b.nearest_low}}}};
 }
 
@@ -75,6 +87,7 @@ ErrorBudget read_budget(const Json& json) {
           .bulk = read_share(e0.at("bulk")),
           .R = number(json.at("R")),
           .V = number(json.at("V")),
+          .epsilon = json.contains("epsilon") ? number(json.at("epsilon")) : 0,
           .nearest = number(nearest.at("mean")),
           .nearest_low = number(nearest.at("percentile_5"))};
 }
@@ -169,6 +182,7 @@ std::string run_json(const RunRecord& r) {
       {"flops_per_second", r.flops_per_second()},
       {"fma_peak", r.platform.fma_peak},
       {"share_of_peak", r.share_of_peak()},
+      {"counts", counts(r.counts)},
       {"conservation", conservation(r.conservation)},
       {"errors", errors(r.errors)},
       {"deviations", deviations(r.deviations)},

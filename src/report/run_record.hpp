@@ -46,6 +46,7 @@ struct RunRecord {
   std::optional<double> joules;  ///< of the processors during the time loop, where the machine tells
   double peak_memory_bytes = 0;  ///< that the process held
   Costs costs;
+  Counts counts;
   Conservation conservation;
   std::map<std::string, ErrorNorm> errors;
   std::map<std::string, Deviation> deviations;  ///< of the measures from converged runs

@@ -9,17 +9,30 @@
 
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
+#include "src/run/trial_gas.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
 
 namespace {
 
-/// Size of a snapshot on disk without compression: its fields in double, and the ids.
-double snapshot_bytes(const Snapshot& snapshot) {
-  double numbers = static_cast<double>(snapshot.size());
+/// Numbers in a snapshot's fields.
+double numbers_of(const Snapshot& snapshot) {
+  double numbers = 0;
   for (const Field& field : snapshot.fields) numbers += static_cast<double>(field.values.size());
-  return 8 * numbers;
+  return numbers;
+}
+
+/// Size of a snapshot on disk without compression: its fields in double, ids, SWIFT's h, and what VTK wants of points.
+double snapshot_bytes(const Snapshot& snapshot) {
+  return 8 * numbers_of(snapshot) + (8 + 8 + 17) * static_cast<double>(snapshot.size());
+}
+
+/// What an output holds of the particles beside the state: order and ids, the fields, one of them at a time twice while
+/// the file grows in memory as the fields go.
+double output_bytes(const Snapshot& snapshot) {
+  constexpr double order_and_ids = 4 + 8, largest_field = 3 * 8;
+  return snapshot_bytes(snapshot) + (order_and_ids + largest_field) * static_cast<double>(snapshot.size());
 }
 
 }  // namespace
@@ -27,28 +40,33 @@ double snapshot_bytes(const Snapshot& snapshot) {
 DryRun dry_run(const Problem& problem) {
   const Settings& settings = problem.settings;
   const SimulationSettings s = simulation_settings(settings);
-  const ParticleSet particles = problem.scene->build(settings);
-  const auto simulation = make_simulation(particles, s);
+  const double before = memory_bytes();
+  const TrialGas trial = trial_gas(*problem.scene, settings);
+  const auto simulation = make_simulation(trial.gas, s);
   DryRun run{.scene = problem.scene->name(),
              .scheme = s.scheme,
              .kernel = s.kernel,
              .precision = s.precision,
              .neighbours = s.neighbours,
-             .particles = particles.size(),
-             .dimension = particles.dimension,
+             .particles = trial.particles,
+             .dimension = trial.gas.dimension,
              .trial_steps = 3,
+             .trial_particles = trial.gas.size(),
              .end = settings.real("time.end"),
              .snapshots = 1.0 + static_cast<double>(settings.integer("output.snapshots"))};
   const Stopwatch watch;
   for (int step = 0; step < run.trial_steps && simulation->time() < run.end; ++step) simulation->step(run.end);
-  run.seconds_per_step = watch.wall() / run.trial_steps;
-  run.dt = simulation->last_step().dt;
+  const double as_many = trial.particles / static_cast<double>(trial.gas.size());
+  run.seconds_per_step = as_many * watch.wall() / run.trial_steps;
+  run.dt = simulation->last_step().dt / trial.refinement;
   run.steps = run.trial_steps + std::max(0.0, std::ceil((run.end - simulation->time()) / run.dt));
   if (const auto limit = settings.integer("time.max_steps"); limit >= 0)
     run.steps = std::min(run.steps, static_cast<double>(limit));
   run.bytes_per_particle = simulation->costs().bytes_per_particle;
-  run.peak_bytes = peak_memory_bytes();
-  run.output_bytes = run.snapshots * snapshot_bytes(simulation->snapshot());
+  const Snapshot snapshot = simulation->snapshot();
+  run.output_bytes = as_many * run.snapshots * snapshot_bytes(snapshot);
+  run.peak_bytes = before + run.particles * run.bytes_per_particle + as_many * output_bytes(snapshot);
+  run.available_bytes = available_memory_bytes();
   return run;
 }
 
@@ -59,10 +77,14 @@ std::string DryRun::text() const {
   };
   text = fmt::format("{}: scheme {}, kernel {}, {:g} neighbours, {} precision\n", scene, scheme, kernel, neighbours,
                      precision);
-  add("particles", fmt::format("{} in {}D", particles, dimension));
-  add("memory", fmt::format("{} ({:.0f} bytes per particle on the device); peak so far {}",
-                            bytes_text(bytes_per_particle * static_cast<double>(particles)), bytes_per_particle,
-                            bytes_text(peak_bytes)));
+  const bool all = static_cast<double>(trial_particles) == particles;
+  add("particles", fmt::format("{:.0f} in {}D{}", particles, dimension,
+                               all ? "" : fmt::format(", told from {} of their kind", trial_particles)));
+  add("memory", fmt::format("{} at its peak, {:.0f} bytes per particle on the device{}", bytes_text(peak_bytes),
+                            bytes_per_particle,
+                            peak_bytes < available_bytes
+                                ? ""
+                                : fmt::format("; MORE than the {} that are free here", bytes_text(available_bytes))));
   add("time-step", fmt::format("{:.3e} after {} steps", dt, trial_steps));
   add("steps", fmt::format("about {:.0f} to t = {:g}, if the time-step stays as it is", steps, end));
   add("output", fmt::format("{} in {:.0f} snapshots", bytes_text(output_bytes), snapshots));
@@ -77,7 +99,8 @@ std::string DryRun::json() const {
                                           {"kernel", kernel},
                                           {"precision", precision},
                                           {"neighbours", neighbours},
-                                          {"particles", particles},
+                                          {"particles", static_cast<std::int64_t>(particles)},
+                                          {"trial_particles", trial_particles},
                                           {"dimension", dimension},
                                           {"bytes_per_particle", bytes_per_particle},
                                           {"peak_memory_bytes", peak_bytes},

@@ -10,11 +10,13 @@ namespace sphk {
 struct DryRun {
   std::string scene, scheme, kernel, precision;
   double neighbours = 0;
-  std::size_t particles = 0;
+  double particles = 0;
   int dimension = 3, trial_steps = 0;
-  double bytes_per_particle = 0, peak_bytes = 0;  ///< on the device; of this process so far
-  double dt = 0, end = 0;                         ///< the time-step after the trial, the end time; code units
-  double steps = 0;                               ///< to the end, if the time-step stays as it is
+  std::size_t trial_particles = 0;             ///< as many were tried; fewer than all where those are many
+  double bytes_per_particle = 0;               ///< on the device
+  double peak_bytes = 0, available_bytes = 0;  ///< of memory that the run will hold; that this machine can give
+  double dt = 0, end = 0;                      ///< the time-step after the trial, the end time; code units
+  double steps = 0;                            ///< to the end, if the time-step stays as it is
   double snapshots = 0, output_bytes = 0;
   double seconds_per_step = 0;
 
@@ -24,7 +26,8 @@ struct DryRun {
   std::string json() const;
 };
 
-/// Takes a trial of three steps, and writes nothing. Kokkos must be running.
+/// Takes a trial of three steps, with fewer particles where they are many, and writes nothing. Kokkos must be
+/// running.
 DryRun dry_run(const Problem& problem);
 
 /// Seconds of a run to its end on all cores of this machine, from numbers of particles, steps and neighbours alone.

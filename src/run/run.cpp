@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "src/engine/errors.hpp"
 #include "src/engine/scaled_simulation.hpp"
@@ -15,6 +16,7 @@
 #include "src/run/run_folder.hpp"
 #include "src/run/run_loop.hpp"
 #include "src/run/stop_signal.hpp"
+#include "src/run/trial_gas.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/schemes/resolve.hpp"
@@ -35,6 +37,7 @@ struct Start {
 
 Start start_of(const RunRequest& request, const Problem& problem) {
   if (!request.resume) {
+    require_memory(*problem.scene, problem.settings);
     Start start{std::nullopt, initial_condition(*problem.scene, problem.settings)};
     start.begin = start.particles.time;
     return start;
@@ -76,6 +79,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.platform = detect_platform(s.precision);
   record.build = build();
   record.left_out = description.left_out;
+  record.costs.bytes_per_particle = description.bytes_per_particle;
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
   const KernelPair pair{s.kernel, s.neighbours};
   const auto& [kernel, neighbours] =
@@ -110,6 +114,7 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
   record.joules = loop.state().joules;
   record.output_seconds = output.seconds();
   record.costs = simulation.costs();
+  record.counts = simulation.counts();
   record.peak_memory_bytes = peak_memory_bytes();
   record.conservation = drift(output.start(), simulation.totals(), box);
   record.errors = output.errors();
@@ -181,7 +186,7 @@ RunResult run(const RunRequest& request) {
   std::optional<RunFolder> folder;
   if (request.resume) folder.emplace(take_run_folder(*request.resume));
   if (!request.resume) refuse_used_folder(wanted);
-  const Start start = start_of(request, problem);
+  Start start = start_of(request, problem);
   RunLoop::Plan plan = make_plan(settings, start.begin, request.walltime);
   RunRecord record = make_record(problem, start.particles);
   if (start.saved) std::ranges::copy(start.saved->remarks, std::back_inserter(record.warnings));
@@ -189,8 +194,11 @@ RunResult run(const RunRequest& request) {
   introduce(progress, record, start);
   SimulationSettings method = simulation_settings(settings);
   if (start.saved) method.own_units = scale_of(start.saved->simulation);
+  require_memory(static_cast<double>(record.particles), record.costs.bytes_per_particle);
   const auto simulation = make_simulation(start.particles, method);
-  if (start.saved) simulation->restore(start.saved->simulation);
+  const Box box = start.particles.box;
+  start.particles = {};
+  if (start.saved) simulation->restore(std::exchange(start.saved->simulation, {}));
   record.setup_seconds = watch.wall();
 
   if (request.stop_on_signals) catch_stop_signals();
@@ -199,7 +207,6 @@ RunResult run(const RunRequest& request) {
   Checkpoints checkpoints(output.folder(), start.saved ? start.saved->file : fs::path());
   plan.rows = output.deviations().times(start.begin, plan.end);
   plan.heatings = scene.heatings(settings);
-  const Box& box = start.particles.box;
   if (plan.walltime > 0) plan.walltime = std::max(1e-9, plan.walltime - watch.wall());
   RunLoop loop(*simulation, output, checkpoints, progress, plan, box);
   if (start.saved) loop.resume(start.saved->loop);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
+#include <algorithm>
+#include <numeric>
 
+#include "kernels/core/fields.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/machine.hpp"
 #include "src/run/platform.hpp"
@@ -32,6 +35,16 @@ Totals totals_of(const HistoryRow& row) {
   totals.momentum_sizes = row.at("momentum_sizes");
   totals.angular_momentum_sizes = row.at("angular_momentum_sizes");
   return totals;
+}
+
+/// Mean and largest alpha with which the viscosity acts, where the scheme has a switch.
+void add_alpha(History::Measures& measures, const Snapshot& snapshot) {
+  const char* const name = ViscosityAlpha::facts.name;
+  if (!snapshot.has(name) || snapshot.size() == 0) return;
+  const std::vector<double>& alpha = snapshot.field(name).values;
+  const double sum = std::accumulate(alpha.begin(), alpha.end(), 0.0);
+  measures.emplace_back("alpha_mean", sum / static_cast<double>(alpha.size()));
+  measures.emplace_back("alpha_max", std::ranges::max(alpha));
 }
 
 }  // namespace
@@ -112,6 +125,7 @@ void RunOutput::add_row(const Simulation& simulation, const Snapshot& snapshot, 
   deviations_.add(snapshot.time, measures);
   errors_ = scene_.errors(settings_, snapshot);
   for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
+  add_alpha(measures, snapshot);
   const Totals totals = simulation.totals();
   if (!start_) start_ = totals;
   history_.add(simulation.last_step(), totals, drift(*start_, totals, snapshot.box), measures);

@@ -11,10 +11,10 @@ namespace {
 
 /// Calls visit(i, j, k) for 0 <= i < counts[0] and so on, the last index fastest.
 template <class F>
-void for_each_cell(const Counts& counts, F&& visit) {
+void for_each_cell(const GridCounts& counts, F&& visit) {
   for (int i = 0; i < counts[0]; ++i)
     for (int j = 0; j < counts[1]; ++j)
-      for (int k = 0; k < counts[2]; ++k) visit(Counts{i, j, k});
+      for (int k = 0; k < counts[2]; ++k) visit(GridCounts{i, j, k});
 }
 
 /// The place of a point given in spacings from the block's lower corner.
@@ -26,12 +26,12 @@ Array3 in_block(const Block& block, const Array3& spacings) {
 }
 
 std::vector<Array3> glass_points(const Block& block) {
-  const Counts tile = glass_tile(block.counts, block.dimension);
+  const GridCounts tile = glass_tile(block.counts, block.dimension);
   const std::vector<Array3> points = glass(block.dimension, tile);
-  const Counts tiles{block.counts[0] / tile[0], block.counts[1] / tile[1], block.counts[2] / tile[2]};
+  const GridCounts tiles{block.counts[0] / tile[0], block.counts[1] / tile[1], block.counts[2] / tile[2]};
   std::vector<Array3> x;
   x.reserve(block.particles());
-  for_each_cell(tiles, [&](const Counts& cell) {
+  for_each_cell(tiles, [&](const GridCounts& cell) {
     for (const Array3& p : points)
       x.push_back(in_block(block, {p[0] + cell[0] * tile[0], p[1] + cell[1] * tile[1], p[2] + cell[2] * tile[2]}));
   });
@@ -48,7 +48,7 @@ std::vector<Array3> random_points(const Block& block, std::uint64_t seed) {
 
 }  // namespace
 
-Counts even_counts(int dimension, int n) {
+GridCounts even_counts(int dimension, int n) {
   return {n, dimension > 1 ? n : 1, dimension > 2 ? n : 1};
 }
 
@@ -73,7 +73,7 @@ double wrapped(double x, double size) {
 std::vector<Array3> lattice_points(const Block& block) {
   std::vector<Array3> x;
   x.reserve(block.particles());
-  for_each_cell(block.counts, [&](const Counts& cell) {
+  for_each_cell(block.counts, [&](const GridCounts& cell) {
     x.push_back(in_block(block, {cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5}));
   });
   return x;

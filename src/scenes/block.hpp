@@ -9,12 +9,12 @@
 
 namespace sphk {
 
-using Counts = std::array<int, 3>;
+using GridCounts = std::array<int, 3>;
 
 /// A box of evenly spread particles: counts[k] of them along axis k; axes beyond the dimension count 1.
 struct Block {
   int dimension = 3;
-  Counts counts{1, 1, 1};
+  GridCounts counts{1, 1, 1};
   Array3 lower{0, 0, 0};
   Array3 size{1, 1, 1};
 
@@ -23,7 +23,7 @@ struct Block {
 };
 
 /// counts = n along the first `dimension` axes, 1 along the others.
-Counts even_counts(int dimension, int n);
+GridCounts even_counts(int dimension, int n);
 
 /// n particles a side of the box from -half to half along every axis.
 Block centred_cube(int dimension, int n, double half);

@@ -28,7 +28,7 @@ struct Header {
   std::uint64_t checksum = 0;  ///< of the positions
 };
 
-Header header_of(int dimension, const Counts& counts, const std::vector<Array3>& points) {
+Header header_of(int dimension, const GridCounts& counts, const std::vector<Array3>& points) {
   Header header;
   header.dimension = dimension;
   for (int axis = 0; axis < 3; ++axis) header.counts[axis] = counts[axis];
@@ -61,7 +61,7 @@ std::filesystem::path glass_cache() {
   return {};
 }
 
-std::vector<Array3> glass_start(int dimension, const Counts& counts) {
+std::vector<Array3> glass_start(int dimension, const GridCounts& counts) {
   Uniform uniform(20120501);
   const Array3 size{double(counts[0]), double(counts[1]), double(counts[2])};
   auto points = lattice_points({.dimension = dimension, .counts = counts, .size = size});
@@ -70,7 +70,7 @@ std::vector<Array3> glass_start(int dimension, const Counts& counts) {
   return points;
 }
 
-std::vector<Array3> glass(int dimension, const Counts& counts, const Relaxer& relax,
+std::vector<Array3> glass(int dimension, const GridCounts& counts, const Relaxer& relax,
                           const std::filesystem::path& cache) {
   const auto file = cache.empty() ? cache : cache / glass_file_name(dimension, counts);
   if (auto points = read_glass(file, dimension, counts)) return *std::move(points);
@@ -82,14 +82,14 @@ std::vector<Array3> glass(int dimension, const Counts& counts, const Relaxer& re
   return points;
 }
 
-std::vector<Array3> glass(int dimension, const Counts& counts) {
+std::vector<Array3> glass(int dimension, const GridCounts& counts) {
   return glass(dimension, counts, relax_with_engine, glass_cache());
 }
 
-Counts glass_tile(const Counts& counts, int dimension) {
+GridCounts glass_tile(const GridCounts& counts, int dimension) {
   constexpr int least = 8;
   const int most = dimension == 3 ? 32 : 64;
-  Counts tile{1, 1, 1};
+  GridCounts tile{1, 1, 1};
   for (int axis = 0; axis < dimension; ++axis) {
     for (int k = std::min(most, counts[axis]); tile[axis] == 1 && k > 1; --k)
       if (counts[axis] % k == 0) tile[axis] = k;
@@ -128,13 +128,14 @@ std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::ve
   return rows(simulation->snapshot().field("Coordinates"));
 }
 
-std::string glass_file_name(int dimension, const Counts& counts) {
+std::string glass_file_name(int dimension, const GridCounts& counts) {
   std::string name = fmt::format("glass-{}d-{}", dimension, counts[0]);
   for (int axis = 1; axis < dimension; ++axis) name += fmt::format("x{}", counts[axis]);
   return name + "-v1.bin";
 }
 
-std::optional<std::vector<Array3>> read_glass(const std::filesystem::path& file, int dimension, const Counts& counts) {
+std::optional<std::vector<Array3>> read_glass(const std::filesystem::path& file, int dimension,
+                                              const GridCounts& counts) {
   std::ifstream in(file, std::ios::binary);
   Header header;
   std::vector<Array3> points(Block{.dimension = dimension, .counts = counts}.particles());
@@ -145,7 +146,7 @@ std::optional<std::vector<Array3>> read_glass(const std::filesystem::path& file,
   return points;
 }
 
-void write_glass(const std::filesystem::path& file, int dimension, const Counts& counts,
+void write_glass(const std::filesystem::path& file, int dimension, const GridCounts& counts,
                  const std::vector<Array3>& points) {
   std::error_code failed;
   std::filesystem::create_directories(file.parent_path(), failed);

@@ -1,5 +1,8 @@
 #include "src/scenes/initial_condition.hpp"
 
+#include <fmt/format.h>
+
+#include "src/engine/errors.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -21,6 +24,8 @@ void set_pressure(ParticleSet& gas, double P, const Settings& settings) {
   for (std::size_t i = 0; i < gas.size(); ++i) gas.u[i] = P / ((simulation.gamma - 1) * rho[i]);
 }
 
+constexpr double most_steps = 1e6;  ///< that gas settles for
+
 void relax(ParticleSet& gas, double time, const Settings& settings) {
   SimulationSettings simulation = under_scheme(simulation_settings(settings), "relaxation");
   simulation.precision = "mixed";
@@ -30,6 +35,13 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
   resting.time = 0;
   resting.v.assign(gas.size(), {0, 0, 0});
   const auto run = make_simulation(resting, simulation);
+  run->step(time);
+  if (const double dt = run->time(); time > most_steps * dt)
+    throw InputError(
+        fmt::format("ic.relax = {:g}: the gas would settle for about {:.1e} time-steps of {:.3g}, more than the {:.0e} "
+                    "that any needs; "
+                    "it takes some crossings of the box by sound",
+                    settings.real("ic.relax"), time / dt, dt, most_steps));
   while (run->time() < time) run->step(time);
   const Snapshot settled = run->snapshot();
   gas.x = rows(settled.field("Coordinates"));

@@ -23,9 +23,9 @@ struct Tube {
   Block left_block, right_block;
 };
 
-/// Counts of the thin side that keep the particle mass: spacings stretched alike on all axes, or along the tube only
-/// (in 1D, and V10's lattice, its sec 3.1).
-Counts thin_counts(const Counts& dense, int density_ratio, bool only_along) {
+/// GridCounts of the thin side that keep the particle mass: spacings stretched alike on all axes, or along the tube
+/// only (in 1D, and V10's lattice, its sec 3.1).
+GridCounts thin_counts(const GridCounts& dense, int density_ratio, bool only_along) {
   if (only_along) return {dense[0] / density_ratio, dense[1], dense[2]};
   return {dense[0] / 2, dense[1] / 2, std::max(dense[2] / 2, 1)};  // 2^D = the ratio: 8 in 3D, 4 in 2D
 }

@@ -17,7 +17,7 @@ double exact_in_sums(double x) {
 }
 
 /// Periodic gas of so many particles along each axis, with uneven places, masses, velocities and energies.
-ParticleSet uneven_gas(const Counts& counts) {
+ParticleSet uneven_gas(const GridCounts& counts) {
   Uniform uniform(1);
   const auto shift = [&] { return 2 * uniform() - 1; };
   Block block{.dimension = 3, .counts = counts};
@@ -36,7 +36,7 @@ ParticleSet uneven_gas(const Counts& counts) {
 }
 
 /// Copies of the gas side by side; particle i of each is i modulo the number of particles.
-ParticleSet laid_out(const ParticleSet& gas, const Counts& copies) {
+ParticleSet laid_out(const ParticleSet& gas, const GridCounts& copies) {
   ParticleSet all;
   all.box = gas.box;
   for (int axis = 0; axis < 3; ++axis) all.box.size[axis] *= copies[axis];
@@ -61,7 +61,7 @@ std::vector<Field> rates_of(const ParticleSet& gas, const std::string& scheme) {
 struct Slab {
   const char* name;
   const char* scheme;
-  Counts counts, copies;
+  GridCounts counts, copies;
 };
 
 void PrintTo(const Slab& slab, std::ostream* stream) {

@@ -182,6 +182,34 @@ TEST_P(Family, LeadingErrorsAreThoseOfR10) {
   expect_near(named(errors, "V"), V, tolerance, "V");
 }
 
+/// R10 eq 21, with d ln(eta)/dt of the rates that the run tells: of A^(-1/gamma) it is -(dA/dt)/(gamma A); of 1/u it is
+/// -(du/dt)/u, where du/dt follows from dA/dt and the work -P/rho div v. Tolerance: eta_rate's finite difference.
+TEST_P(Family, TheResidualOfTheContinuityEquationIsThatOfR10) {
+  const std::size_t n = particles.size();
+  const auto simulation = make_simulation(particles, settings);
+  const auto rates = simulation->rates(false);
+  const auto &dA = named(rates, "EntropyRate"), &div_v = named(rates, "VelocityDivergence");
+  const double gamma = settings.gamma;
+  std::vector<double> eta_rate(n, 0.0), epsilon(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double du = dA[i] * std::pow(gas.rho[i], gamma - 1) / (gamma - 1) - gas.P[i] / gas.rho[i] * div_v[i];
+    const bool of_entropy = flavour.energy == "entropy";
+    if (gas.eta[i] != 1) eta_rate[i] = of_entropy ? -dA[i] / (gamma * gas.A[i]) : -du / gas.u[i];
+  }
+  double largest = 0;
+  for (int i = 0; i < int(n); ++i)
+    for (const auto& pair : sums.pairs(i)) {
+      const double part =
+          particles.m[pair.j] * (eta_rate[i] - eta_rate[pair.j]) * gas.eta[i] / gas.eta[pair.j] * pair.W;
+      epsilon[i] += part;
+      largest = std::max(largest, std::abs(part));
+    }
+  const auto errors = simulation->errors();
+  const auto& told = named(errors, "Epsilon");
+  if (flavour.scheme == "osph") EXPECT_GT(largest, 1e-3) << "nothing would be compared";
+  for (std::size_t i = 0; i < n; ++i) ASSERT_NEAR(told[i], epsilon[i], 1e-6 * std::max(largest, 1e-300)) << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(Flavours, Family, testing::Combine(testing::Range(0, 9), testing::Range(1, 4)),
                          [](const auto& info) {
                            std::string name = flavours[std::get<0>(info.param)].scheme;

@@ -12,13 +12,11 @@ namespace {
 /// Twenty particles in 2D with m / rho = 4: mean spacings of 2. |E0| of the k-th is k; the last two meet another fluid.
 struct Gas {
   Snapshot snapshot{.dimension = 2};
-  std::vector<Field> errors{{.name = "E0", .components = 3},
-                            {.name = "R", .components = 6},
-                            {.name = "V", .components = 6},
-                            {.name = "EntropyContrast"},
-                            {.name = "NearestNeighbour"}};
+  std::vector<Field> errors{{.name = "E0", .components = 3}, {.name = "R", .components = 6},
+                            {.name = "V", .components = 6},  {.name = "EntropyContrast"},
+                            {.name = "NearestNeighbour"},    {.name = "Epsilon"}};
   Gas() {
-    Field m{.name = "Masses"}, rho{.name = "Densities"};
+    Field m{.name = "Masses"}, rho{.name = "Densities"}, div_v{.name = "VelocityDivergence"};
     for (int k = 1; k <= 20; ++k) {
       snapshot.id.push_back(std::uint64_t(k));
       m.values.push_back(8), rho.values.push_back(2);
@@ -27,8 +25,10 @@ struct Gas {
       for (const double v : {1.0, 1.0, 0.0, 0.0, 0.0, 0.0}) errors[2].values.push_back(v);
       errors[3].values.push_back(k > 18 ? std::log(1.3) : std::log(1.2));
       errors[4].values.push_back(k == 1 ? 0 : k == 2 ? 0.5 : 2);  // the first has no neighbour
+      errors[5].values.push_back(k % 2 ? -0.3 : 0.3);
+      div_v.values.push_back(k % 4 ? 5 : -5);
     }
-    snapshot.fields = {m, rho};
+    snapshot.fields = {m, rho, div_v};
   }
 };
 
@@ -50,6 +50,7 @@ TEST(ErrorBudget, MeasuresMatricesAndSpacings) {
   const ErrorBudget b = error_budget(gas.snapshot, gas.errors);
   EXPECT_NEAR(b.R, std::sqrt(0.41), 1e-12);
   EXPECT_NEAR(b.V, 0, 1e-12);
+  EXPECT_NEAR(b.epsilon, 0.3 / 10, 1e-12);          // of rho |div v| = 10
   EXPECT_NEAR(b.nearest, (0.25 + 18) / 19, 1e-12);  // of the 19 that have a neighbour
 }
 

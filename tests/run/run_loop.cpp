@@ -53,7 +53,7 @@ class Clock : public Simulation {
   std::vector<Field> errors() const override { return {}; }
   SavedState save() const override { return {{"clock", {static_cast<std::uint8_t>(last_.step)}}}; }
   void restore(const SavedState&) override {}
-  std::vector<std::string> warnings() const override { return {}; }
+  Counts counts() const override { return {}; }
 
   std::vector<double> ends, heat_times;  ///< the t_end of every step, the times of heatings
   double heated = 0;

@@ -13,9 +13,9 @@ TEST(Block, LatticePointsAreCellCentres) {
 }
 
 TEST(Block, CountsFollowTheDimension) {
-  EXPECT_EQ(even_counts(1, 7), (Counts{7, 1, 1}));
-  EXPECT_EQ(even_counts(2, 7), (Counts{7, 7, 1}));
-  EXPECT_EQ(even_counts(3, 7), (Counts{7, 7, 7}));
+  EXPECT_EQ(even_counts(1, 7), (GridCounts{7, 1, 1}));
+  EXPECT_EQ(even_counts(2, 7), (GridCounts{7, 7, 1}));
+  EXPECT_EQ(even_counts(3, 7), (GridCounts{7, 7, 7}));
   EXPECT_EQ((Block{.counts = {64, 32, 32}}).particles(), 65536u);
 }
 

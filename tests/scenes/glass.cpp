@@ -16,12 +16,12 @@ namespace {
 
 // Tiles divide the counts; 100 = 4 x 25 in 3D and 2 x 50 in 2D.
 TEST(Glass, TilesFillTheBlock) {
-  EXPECT_EQ(glass_tile({64, 32, 32}, 3), (Counts{32, 32, 32}));
-  EXPECT_EQ(glass_tile({100, 16, 8}, 3), (Counts{25, 16, 8}));
-  EXPECT_EQ(glass_tile({100, 64, 1}, 2), (Counts{50, 64, 1}));
-  EXPECT_EQ(glass_tile({4, 4, 4}, 3), (Counts{4, 4, 4}));  // small blocks are a glass of their own
-  EXPECT_THROW(glass_tile({37, 32, 32}, 3), InputError);   // a prime
-  EXPECT_THROW(glass_tile({74, 32, 32}, 3), InputError);   // 2 x 37
+  EXPECT_EQ(glass_tile({64, 32, 32}, 3), (GridCounts{32, 32, 32}));
+  EXPECT_EQ(glass_tile({100, 16, 8}, 3), (GridCounts{25, 16, 8}));
+  EXPECT_EQ(glass_tile({100, 64, 1}, 2), (GridCounts{50, 64, 1}));
+  EXPECT_EQ(glass_tile({4, 4, 4}, 3), (GridCounts{4, 4, 4}));  // small blocks are a glass of their own
+  EXPECT_THROW(glass_tile({37, 32, 32}, 3), InputError);       // a prime
+  EXPECT_THROW(glass_tile({74, 32, 32}, 3), InputError);       // 2 x 37
 }
 
 TEST(Glass, TheStartHasOneParticlePerCellAndIsRepeatable) {
@@ -114,7 +114,7 @@ double density_scatter(const std::vector<Array3>& x, double size) {
 // wavelength holds |sum exp(2 pi i x)|^2 = N^2 in a crystal and of order N without one.
 TEST(GlassRelaxation, MakesAnEvenArrangementThatIsNoLattice) {
   constexpr int side = 24;
-  const Counts counts{side, side, 1};
+  const GridCounts counts{side, side, 1};
   const auto start = glass_start(2, counts);
   const auto relaxed = relax_with_engine(2, {side, side, 1}, start);
   ASSERT_EQ(relaxed.size(), start.size());

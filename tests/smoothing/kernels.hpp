@@ -33,6 +33,8 @@ struct Knots<CoreTriangle> {
   static std::vector<double> at() { return {1.0 / 3, 1.0 / 2}; }
 };
 template <>
+struct Knots<CoreTriangleForces> : Knots<CubicSpline> {};
+template <>
 struct Knots<Hydra> {
   static std::vector<double> at() { return {1.0 / 2}; }
 };

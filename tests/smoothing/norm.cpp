@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kernels/smoothing/list.hpp"
 
 namespace sphk {
@@ -33,6 +35,7 @@ TEST(Norm, EqualsThePrintedOnes) {
       {"johnson", 1.5, 6 / pi, 7.5 / pi},       {"m5", 4.069010, 6.222175, 9.714047},
       {"m6", 6.075, 10.194573, 17.403593},      {"wc2", 1.5, 7 / pi, 21 / (2 * pi)},
       {"wc4", 1.6875, 9 / pi, 495 / (32 * pi)}, {"wc6", 1.875, 78 / (7 * pi), 1365 / (64 * pi)},
+      {"ct-cs", 4.0 / 3, 1.818914, 2.546479},
   };
   EXPECT_EQ(std::size(printed), smoothing_kernel_names().size());
   for (const Norms& norms : printed)
@@ -41,6 +44,24 @@ TEST(Norm, EqualsThePrintedOnes) {
       EXPECT_NEAR(kernel.norm(2), norms.two, 6e-7) << norms.kernel;
       EXPECT_NEAR(kernel.norm(3), norms.three, 6e-7) << norms.kernel;
     });
+}
+
+/// A force kernel of its own has a norm of its own: -integral of r dW/dr is D times the integral of W, 1.
+TEST(Norm, OfForcesApartFromTheDensity) {
+  constexpr double spheres[] = {2, 2 * pi, 4 * pi};
+  const CoreTriangleForces kernel;
+  for (int D = 1; D <= 3; ++D) {
+    double integral = 0;
+    constexpr int panels = 3000;  // the joints at 1/3 and 1/2 are edges of panels
+    for (int k = 0; k < panels; ++k) {
+      const double q = (k + 0.5) / panels;
+      integral -= spheres[D - 1] * std::pow(q, D) * kernel(q).dw / panels;
+    }
+    EXPECT_NEAR(norm_of_forces(kernel, D) * integral, D, 1e-6) << D;  // midpoints: w'''/(24 panels^2)
+    EXPECT_EQ(kernel.norm(D), CubicSpline{}.norm(D));
+    EXPECT_EQ(kernel(0.2).w, CubicSpline{}.w(0.2));
+    EXPECT_EQ(kernel(0.2).dw, CoreTriangle{}(0.2).dw);
+  }
 }
 
 }  // namespace

@@ -43,6 +43,17 @@ TEST(Terms, PressureWorkOfTsph) {
   EXPECT_NEAR((share<PressureWorkTsph, double, 1>(p.i, p.j).du), wanted, rounding * wanted);
 }
 
+TEST(Terms, TensileCorrectionOfMonaghan) {
+  const TwoParticles<double, 1> p;
+  // W: 4/3 [2 (1/4)^3]/2 = 1/48 and 4/3 [2 (1/2)^3]/3 = 1/9; f = half their sum times the mean of 1/W(d), 4 and 6; R =
+  // 0.3 (P_i + P_j)/(rho_i rho_j) = 3.6. Its work is shared: approaching at speed 1, it heats.
+  const double f = 0.5 * (1.0 / 48 + 1.0 / 9) * 5, push = 2 * 3.6 * std::pow(f, 4), dW = 0.5 * (dW_i_1d + dW_j_1d);
+  const auto sum = share<TensileCorrection, double, 1>(p.i, p.j, {{"tensile.epsilon", 0.3}});
+  EXPECT_NEAR(sum.a[0], -push * dW, 4 * rounding * std::abs(push * dW));
+  EXPECT_NEAR(sum.du, 0.5 * push * -1 * dW, 4 * rounding * std::abs(push * dW));
+  EXPECT_GT(sum.a[0], 0) << "it pushes i away from j";
+}
+
 TEST(Terms, GingoldMonaghanViscosity) {
   const TwoParticles<double, 1> p;
   // hs = 5/4; mu = hs (v.r)/(r^2 + 0.01 hs^2) = 1.25 * -1.5/(2.25 + 0.015625); c = sqrt(2), sqrt(6); Balsara mean 3/4;

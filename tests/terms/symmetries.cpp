@@ -9,8 +9,9 @@ namespace {
 
 template <class Term>
 struct Symmetries : testing::Test {};
-using ForceTerms = testing::Types<PressureGradientSph, PressureGradientTsph, PressureGradientConservative,
-                                  ViscosityGingoldMonaghan<>, ViscositySignalVelocity<>, ViscositySwitched<>>;
+using ForceTerms =
+    testing::Types<PressureGradientSph, PressureGradientTsph, PressureGradientConservative, ViscosityGingoldMonaghan<>,
+                   ViscositySignalVelocity<>, ViscositySwitched<>, TensileCorrection>;
 TYPED_TEST_SUITE(Symmetries, ForceTerms);
 
 TYPED_TEST(Symmetries, ActionIsMinusReaction) {

@@ -11,6 +11,7 @@
 #include "kernels/terms/pressure_work.hpp"
 #include "kernels/terms/pressure_work_tsph.hpp"
 #include "kernels/terms/signal_velocity.hpp"
+#include "kernels/terms/tensile_correction.hpp"
 #include "kernels/terms/velocity_gradient.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "kernels/terms/viscosity_signal_velocity.hpp"
@@ -21,7 +22,7 @@ namespace sphk::test {
 /// Every field that a pair term reads.
 using Everything =
     List<Position, Separation, Distance2, Velocity, Mass, Support, InverseSupport, Density, InverseDensity, Pressure,
-         PressureOverDensity2, GradHMass, SoundSpeed, Balsara, ViscosityAlpha, DissipationAlpha>;
+         PressureOverDensity2, GradHMass, SoundSpeed, Balsara, ViscosityAlpha, DissipationAlpha, InverseSpacingKernel>;
 
 template <class T, int D>
 using Particle = Values<T, D, Everything>;
@@ -67,6 +68,7 @@ struct TwoParticles {
     p.h = T(h), p.h_inv = T(1 / h), p.m = T(m), p.rho = T(rho), p.rho_inv = T(1 / rho), p.P = T(P);
     p.P_rho2 = T(P / (rho * rho)), p.c = T(std::sqrt(5.0 / 3 * P / rho)), p.balsara = T(balsara), p.z = T(z);
     p.alpha_v = T(0.5 * balsara), p.alpha_d = T(0.75 * balsara);
+    p.W_d_inv = T(2 * h);
   }
 };
 
