@@ -1,5 +1,5 @@
 // What the numbers of a run mean goes with them, from what the user says or a file says into all that the run leaves.
-#include "src/io/reader.hpp"
+#include "src/io/layouts.hpp"
 #include "tests/cli/sphk_executable.hpp"
 
 namespace sphk {
@@ -14,7 +14,7 @@ const Units galactic_units{kpc, 1e10 * 1.98841e33, kpc / 1e5};
 
 class UnitsOfRuns : public Executable {
  protected:
-  std::optional<Units> units(const std::string& name) const { return read_particles(file(name)).units; }
+  std::optional<Units> units(const std::string& name) const { return facts_of(hdf5::File::open(file(name))).units; }
 };
 
 TEST_F(UnitsOfRuns, GoIntoSnapshotsCheckpointsAndTheTable) {
