@@ -10,6 +10,8 @@
 #include "src/engine/errors.hpp"
 #include "src/io/check.hpp"
 #include "src/io/hdf5_file.hpp"
+#include "src/io/layouts.hpp"
+#include "src/io/readers_box.hpp"
 
 namespace sphk {
 
@@ -30,6 +32,19 @@ std::string attribute_text(const hdf5::Object& object, const char* name) {
   } catch (const InputError&) {
     return fmt::format("{:.8g}", fmt::join(object.numbers(name), " "));
   }
+}
+
+/// Their names, and what they are in cgs.
+std::string units_line(const hdf5::File& file) {
+  std::optional<Units> units;
+  try {
+    units = facts_of(file).units;
+  } catch (const InputError&) {  // which the verdict tells
+    return line("units", "unknown");
+  }
+  if (!units) return line("units", file.has("sphk") ? units_text(units) : "the file does not say");
+  return line("units", fmt::format("{} ({:.6g} cm, {:.6g} g, {:.6g} cm/s, {:.6g} s)", units_text(units), units->length,
+                                   units->mass, units->velocity(), units->time));
 }
 
 std::string own_lines(const hdf5::Group& own) {
@@ -81,12 +96,23 @@ std::string range_text(const std::vector<double>& values, std::size_t column, st
   return fmt::format("{:>14.6g}{:>14.6g}{:>14.6g}{}", low, sum / static_cast<double>(finite), high, not_finite);
 }
 
-std::string field_lines(const std::string& name, const hdf5::Dataset& dataset) {
+/// Those of a run's own coordinates are the run's, not the readers'.
+std::vector<double> values_of(const hdf5::File& file, const std::string& name, const hdf5::Dataset& dataset) {
+  std::vector<double> values = dataset.read<double>();
+  if (name != "Coordinates" || dataset.shape().size() != 2 || dataset.shape()[1] != 3) return values;
+  std::vector<Array3> x(values.size() / 3);
+  for (std::size_t i = 0; i < values.size(); ++i) x[i / 3][i % 3] = values[i];
+  undo_shift(file, x);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = x[i / 3][i % 3];
+  return values;
+}
+
+std::string field_lines(const hdf5::File& file, const std::string& name, const hdf5::Dataset& dataset) {
   if (!dataset.is_number()) return fmt::format("  {:<28}not numbers\n", name);
   const auto shape = dataset.shape();
   const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
   if (columns > max_columns) return fmt::format("  {:<28}{} columns\n", name, columns);
-  const std::vector<double> values = dataset.read<double>();
+  const std::vector<double> values = values_of(file, name, dataset);
   std::string text;
   for (std::size_t k = 0; k < columns; ++k) {
     const std::string suffix = columns == 1 ? "" : columns <= 3 ? fmt::format(".{}", "xyz"[k]) : fmt::format("[{}]", k);
@@ -95,13 +121,15 @@ std::string field_lines(const std::string& name, const hdf5::Dataset& dataset) {
   return text;
 }
 
-std::string gas_table(const hdf5::Group& gas) {
+std::string gas_table(const hdf5::File& file) {
+  const hdf5::Group gas = file.group("PartType0");
   std::string text = fmt::format("  {:<28}{:>14}{:>14}{:>14}\n", "field", "min", "mean", "max");
   std::map<std::uint64_t, std::string> seen;
   for (const std::string& name : gas.members()) {
     const hdf5::Dataset dataset = gas.dataset(name);
     const auto [first, is_new] = seen.emplace(dataset.address(), name);
-    text += is_new ? field_lines(name, dataset) : fmt::format("  {:<28}  another name of {}\n", name, first->second);
+    text +=
+        is_new ? field_lines(file, name, dataset) : fmt::format("  {:<28}  another name of {}\n", name, first->second);
   }
   return text;
 }
@@ -134,10 +162,11 @@ std::string file_info(const std::filesystem::path& path) {
     text = fmt::format("{}: {}\n", path.string(),
                        own ? "sphk snapshot" : "HDF5 particles in the layout of SWIFT and GADGET");
     text += line("time", attribute_text(header, "Time"));
+    text += units_line(file);
     text += own ? own_lines(file.group("sphk")) : foreign_lines(header);
     if (file.has("HydroScheme")) text += line("gamma", attribute_text(file.group("HydroScheme"), "Adiabatic index"));
     text += particle_lines(file, header);
-    if (file.has("PartType0")) text += gas_table(file.group("PartType0"));
+    if (file.has("PartType0")) text += gas_table(file);
   }
   return text + verdict_lines(path);
 }

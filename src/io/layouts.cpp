@@ -157,7 +157,13 @@ std::optional<double> unit(const hdf5::File& file, Places places) {
   return std::nullopt;
 }
 
+/// sphk's own files say apart whether their units are those of the code, which others take for cgs.
+bool has_code_units(const hdf5::File& file) {
+  return file.has("sphk") && number_at(file, {"sphk", "CodeUnits"}).value_or(1) != 0;
+}
+
 std::optional<Units> units(const hdf5::File& file) {
+  if (has_code_units(file)) return std::nullopt;
   const auto length = unit(file, {{"Units", "Unit length in cgs (U_L)"},
                                   {"Parameters", "UnitLength_in_cm"},
                                   {"Parameters", "InternalUnitSystem:UnitLength_in_cgs"},

@@ -14,8 +14,8 @@ struct FileFacts {
   std::optional<bool> periodic;
   std::optional<double> dimension;
   std::optional<double> gamma;  ///< adiabatic index
-  std::optional<Units> units;
-  Array3 stretch{1, 1, 1};  ///< of BoxSize along each axis
+  std::optional<Units> units;   ///< none: code units
+  Array3 stretch{1, 1, 1};      ///< of BoxSize along each axis
 };
 
 /// The one place that knows where SWIFT (of any age), GADGET-2, GADGET-4, AREPO and GIZMO keep such things. Throws

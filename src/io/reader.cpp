@@ -12,6 +12,7 @@
 #include "src/io/gas_datasets.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/layouts.hpp"
+#include "src/io/readers_box.hpp"
 
 namespace sphk {
 
@@ -32,6 +33,7 @@ class Reader {
     if (file.has("PartType0")) {
       found_gas_ = true;
       add_gas(gas_, file.group("PartType0"), header.number_or("MassTable", 0), non_finite_);
+      undo_shift(file, std::span(gas_.x).subspan(before));
     }
     if (!counts.empty()) require_count(header.where(), "NumPart_ThisFile", counts[0], gas_.size() - before);
   }
@@ -65,7 +67,8 @@ class Reader {
     read_total(header);
     facts_ = facts_of(file);
     result_.units = facts_.units;
-    if (!result_.units) remark("the file does not say its units: all numbers are taken as code units");
+    if (!result_.units && !file.has("sphk"))
+      remark("the file does not say its units: all numbers are taken as code units");
     read_gamma();
     read_box(file, header);
   }

@@ -14,7 +14,7 @@ namespace sphk {
 struct ReadResult {
   ParticleSet particles;
   std::optional<double> gamma;  ///< adiabatic index, when the file says it
-  std::optional<Units> units;   ///< when the file says them
+  std::optional<Units> units;   ///< when the file says them; code units are none
   bool dimension_said = false;  ///< by the file, not only by three columns of Coordinates
   bool own_snapshot = false;    ///< written by sphk: `h` holds converged support radii
   std::vector<std::string> remarks;

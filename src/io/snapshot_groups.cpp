@@ -34,33 +34,6 @@ std::vector<double> to_vector(const Array3& a) {
   return {a.begin(), a.end()};
 }
 
-/// The box as readers of SWIFT files know it: it begins at 0, and all axes are periodic or none is.
-struct ReadersBox {
-  Array3 size;
-  bool periodic = false;
-};
-
-/// Particles of an open box that are not in [0, size) would not exist for yt, whose domain that is; it finds them where
-/// the box is periodic. Such a box is called periodic then, and made so wide that no particle sees another's image.
-ReadersBox readers_box(const Snapshot& snapshot) {
-  ReadersBox out{snapshot.box.size};
-  const std::vector<double>& x = snapshot.field("Coordinates").values;
-  const auto dimension = static_cast<std::size_t>(snapshot.dimension);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    out.periodic |= i % 3 < dimension && !(x[i] >= 0 && x[i] <= out.size[i % 3]);
-  for (std::size_t k = 0; k < dimension; ++k) out.periodic |= snapshot.box.periodic[k];
-  if (!out.periodic || x.empty()) return out;
-  double h_max = 0;
-  if (snapshot.has("SmoothingLength"))
-    for (const double h : snapshot.field("SmoothingLength").values) h_max = std::max(h_max, h);
-  for (std::size_t k = 0; k < dimension; ++k) {
-    if (snapshot.box.periodic[k]) continue;
-    const auto [low, high] = extent(x, k);
-    out.size[k] = std::max(out.size[k], high - low + 2 * h_max);
-  }
-  return out;
-}
-
 std::string now() {
   const std::time_t time = std::time(nullptr);
   std::tm parts{};
@@ -70,7 +43,7 @@ std::string now() {
   return text;
 }
 
-void write_header(hdf5::Group header, const Snapshot& snapshot, const Array3& box_size, const SnapshotInfo& info) {
+void write_header(hdf5::Group header, const Snapshot& snapshot, const ReadersBox& box, const SnapshotInfo& info) {
   const auto n = static_cast<std::int64_t>(snapshot.size());
   header.set("Code", "SWIFT");  // the layout's tag: yt looks for nothing else
   header.set("Generator", "sphk");
@@ -78,8 +51,8 @@ void write_header(hdf5::Group header, const Snapshot& snapshot, const Array3& bo
   header.set("SnapshotDate", now());
   header.set("OutputType", "FullVolume");
   header.set("SelectOutput", "Default");
-  header.set("BoxSize", to_vector(box_size));
-  header.set("Shift", std::vector<double>(3, 0.0));
+  header.set("BoxSize", to_vector(box.size));
+  header.set("Shift", to_vector(box.shift));
   header.set("Time", snapshot.time);
   header.set("Redshift", 0.0);
   header.set("Scale-factor", 1.0);
@@ -98,10 +71,12 @@ void write_header(hdf5::Group header, const Snapshot& snapshot, const Array3& bo
 }
 
 /// Code units count as cgs: readers then show the numbers of the run.
-void write_units(hdf5::Group units) {
-  for (const char* unit : {"mass in cgs (U_M)", "length in cgs (U_L)", "time in cgs (U_t)", "current in cgs (U_I)",
-                           "temperature in cgs (U_T)"})
-    units.set(fmt::format("Unit {}", unit), 1.0);
+void write_units(hdf5::Group group, const Units& units) {
+  group.set("Unit mass in cgs (U_M)", units.mass);
+  group.set("Unit length in cgs (U_L)", units.length);
+  group.set("Unit time in cgs (U_t)", units.time);
+  group.set("Unit current in cgs (U_I)", 1.0);
+  group.set("Unit temperature in cgs (U_T)", 1.0);
 }
 
 void write_parameters(hdf5::Group parameters, bool periodic, const Settings& settings) {
@@ -152,6 +127,7 @@ void write_own_group(hdf5::Group own, const Snapshot& snapshot, const SnapshotIn
   own.set("BoxLower", to_vector(snapshot.box.lower));
   own.set("BoxSize", to_vector(snapshot.box.size));
   own.set("Periodic", std::vector<std::int32_t>(periodic.begin(), periodic.end()));
+  own.set("CodeUnits", std::int32_t{!info.units});
   own.set("Scene", info.scene);
   own.set("Scheme", info.scheme);
   own.set("Kernel", info.kernel);
@@ -162,11 +138,10 @@ void write_own_group(hdf5::Group own, const Snapshot& snapshot, const SnapshotIn
 
 }  // namespace
 
-void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotInfo& info) {
-  const ReadersBox box = readers_box(snapshot);
-  write_header(file.create_group("Header"), snapshot, box.size, info);
-  write_units(file.create_group("Units"));
-  write_units(file.create_group("InternalCodeUnits"));
+void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotInfo& info, const ReadersBox& box) {
+  write_header(file.create_group("Header"), snapshot, box, info);
+  for (const char* group : {"Units", "InternalCodeUnits"})
+    write_units(file.create_group(group), info.units.value_or(Units{}));
   file.create_group("Policy").set("cosmological integration", std::int32_t{0});
   file.create_group("RuntimePars").set("PeriodicBoundariesOn", std::int32_t{box.periodic});
   file.create_group("Cosmology").set("Cosmological run", std::int32_t{0});
@@ -177,14 +152,12 @@ void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotIn
   write_own_group(file.create_group("sphk"), snapshot, info);
 }
 
-void write_cells(hdf5::File& file, const Snapshot& snapshot) {
-  const Box& box = snapshot.box;
-  const std::vector<double>& x = snapshot.field("Coordinates").values;
-  std::vector<double> centre(3), lowest(to_vector(box.lower)), highest(3);
+void write_cells(hdf5::File& file, const std::vector<double>& coordinates, const ReadersBox& box) {
+  std::vector<double> centre(3), lowest(3), highest(3);
   for (std::size_t k = 0; k < 3; ++k) {
-    centre[k] = box.lower[k] + 0.5 * box.size[k];
-    highest[k] = box.lower[k] + box.size[k];
-    if (!x.empty()) std::tie(lowest[k], highest[k]) = extent(x, k);
+    centre[k] = 0.5 * box.size[k];
+    highest[k] = box.size[k];
+    if (!coordinates.empty()) std::tie(lowest[k], highest[k]) = extent(coordinates, k);
   }
   hdf5::Group cells = file.create_group("Cells");
   hdf5::Group meta = cells.create_group("Meta-data");
@@ -192,7 +165,7 @@ void write_cells(hdf5::File& file, const Snapshot& snapshot) {
   meta.set("nr_cells", std::int32_t{1});
   meta.set("size", to_vector(box.size));
   cells.write("Centres", centre, 3);
-  const std::vector<std::int64_t> count{static_cast<std::int64_t>(snapshot.size())}, zero{0};
+  const std::vector<std::int64_t> count{static_cast<std::int64_t>(coordinates.size() / 3)}, zero{0};
   cells.create_group("Counts").write("PartType0", count);
   cells.create_group("OffsetsInFile").write("PartType0", zero);
   cells.create_group("Files").write("PartType0", zero);

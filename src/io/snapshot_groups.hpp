@@ -2,6 +2,7 @@
 
 #include "src/engine/particle_set.hpp"
 #include "src/io/hdf5_file.hpp"
+#include "src/io/readers_box.hpp"
 #include "src/io/snapshot_writer.hpp"
 
 namespace sphk {
@@ -11,10 +12,11 @@ inline constexpr int snapshot_schema = 1;
 
 /// Everything in a snapshot that is not a field: Header, Units, InternalCodeUnits, Policy, RuntimePars, Cosmology,
 /// SubgridScheme, Parameters, HydroScheme, Code and /sphk. Names, types and shapes are SWIFT's.
-void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotInfo& info);
+void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotInfo& info, const ReadersBox& box);
 
-/// The Cells group, by which readers of SWIFT files find a region: one cell that holds all particles.
-void write_cells(hdf5::File& file, const Snapshot& snapshot);
+/// The Cells group, by which readers of SWIFT files find a region: one cell that holds all particles, which readers see
+/// at `coordinates`.
+void write_cells(hdf5::File& file, const std::vector<double>& coordinates, const ReadersBox& box);
 
 /// What write_snapshot writes, still in memory.
 hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression);

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/io/kernel_gamma.hpp"
+#include "src/io/readers_box.hpp"
 #include "src/io/snapshot_groups.hpp"
 
 namespace sphk {
@@ -23,8 +25,9 @@ std::string power(const char* unit, double exponent) {
 }
 
 /// Units and meaning, as SWIFT puts them beside every dataset.
-void describe(hdf5::Dataset dataset, const std::string& description, const UnitExponents& units) {
-  const auto [L, M, t] = units;
+void describe(hdf5::Dataset dataset, const std::string& description, const UnitExponents& exponents,
+              const SnapshotInfo& info) {
+  const auto [L, M, t] = exponents;
   const auto exponent = [&](const char* name, double value) {
     dataset.set(fmt::format("{} exponent", name), static_cast<float>(value));
   };
@@ -40,14 +43,15 @@ void describe(hdf5::Dataset dataset, const std::string& description, const UnitE
   dataset.set("Description", description);
   dataset.set("Expression for physical CGS units", fmt::format("{}[ {}]", code, cgs.empty() ? "- " : cgs));
   dataset.set("Lossy compression filter", "None");
-  dataset.set("Conversion factor to CGS (not including cosmological corrections)", 1.0);
+  dataset.set("Conversion factor to CGS (not including cosmological corrections)",
+              info.units.value_or(Units{}).to_cgs(exponents));
   dataset.set("Value stored as physical", std::int32_t{1});
   dataset.set("Property can be converted to comoving", std::int32_t{0});
 }
 
-void write_field(hdf5::Group& gas, const Field& field, bool compressed) {
+void write_field(hdf5::Group& gas, const Field& field, const SnapshotInfo& info, bool compressed) {
   const hsize_t columns = field.components == 1 ? 0 : static_cast<hsize_t>(field.components);
-  describe(gas.write(field.name, field.values, columns, compressed), field.description, field.units);
+  describe(gas.write(field.name, field.values, columns, compressed), field.description, field.units, info);
 }
 
 /// SWIFT's h, from the support radius.
@@ -62,17 +66,21 @@ Field swift_smoothing_lengths(const Field& support, const SnapshotInfo& info, in
   return h;
 }
 
-void write_gas(hdf5::Group gas, const Snapshot& snapshot, const SnapshotInfo& info, bool compressed) {
-  describe(gas.write("ParticleIDs", snapshot.id, 0, compressed), "Unique number of the particle", {});
-  for (const Field& field : snapshot.fields) write_field(gas, field, compressed);
+void write_gas(hdf5::Group gas, const Snapshot& snapshot, const Field& coordinates, const SnapshotInfo& info,
+               bool compressed) {
+  describe(gas.write("ParticleIDs", snapshot.id, 0, compressed), "Unique number of the particle", {}, info);
+  for (const Field& field : snapshot.fields)
+    write_field(gas, field.name == "Coordinates" ? coordinates : field, info, compressed);
   if (snapshot.has("SmoothingLength"))
-    write_field(gas, swift_smoothing_lengths(snapshot.field("SmoothingLength"), info, snapshot.dimension), compressed);
+    write_field(gas, swift_smoothing_lengths(snapshot.field("SmoothingLength"), info, snapshot.dimension), info,
+                compressed);
   for (const auto& [singular, plural] : singular_names)
     if (snapshot.has(plural)) gas.link(singular, fmt::format("/PartType0/{}", plural));
 }
 
-/// The same datasets as ParaView wants them: points that are vertices, and the fields as point data.
-void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, bool compressed) {
+/// The same datasets as ParaView wants them: points that are vertices, and the fields as point data. `points`: where
+/// they are, if not where the other readers see them.
+void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, const std::vector<double>& points, bool compressed) {
   constexpr std::uint8_t vertex_type = 1;  // VTK_VERTEX
   const auto n = static_cast<std::int64_t>(snapshot.size());
   vtk.set("Version", std::vector<std::int64_t>{1, 0});
@@ -85,7 +93,10 @@ void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, bool compressed) {
   counting.pop_back();
   vtk.write("Connectivity", counting, 0, compressed);
   vtk.write("Types", std::vector<std::uint8_t>(snapshot.size(), vertex_type), 0, compressed);
-  vtk.link("Points", "/PartType0/Coordinates");
+  if (points.empty())
+    vtk.link("Points", "/PartType0/Coordinates");
+  else
+    vtk.write("Points", points, 3, compressed);
   hdf5::Group point_data = vtk.create_group("PointData");
   point_data.link("ParticleIDs", "/PartType0/ParticleIDs");
   for (const Field& field : snapshot.fields)
@@ -100,17 +111,33 @@ void check_sizes(const Snapshot& snapshot) {
                                    snapshot.size() * static_cast<std::size_t>(field.components)));
 }
 
+/// Where the box has its readers see the particles.
+Field placed_coordinates(const Snapshot& snapshot, const ReadersBox& box) {
+  Field field = snapshot.field("Coordinates");
+  for (std::size_t i = 0; i < field.values.size(); i += 3) {
+    const Array3 y = box.placed({field.values[i], field.values[i + 1], field.values[i + 2]});
+    std::ranges::copy(y, field.values.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return field;
+}
+
+hdf5::File placed_file(const Snapshot& snapshot, const SnapshotInfo& info, const ReadersBox& box,
+                       Compression compression) {
+  const bool compressed = compression == Compression::gzip;
+  const Field coordinates = placed_coordinates(snapshot, box);
+  hdf5::File file = hdf5::File::create();
+  write_metadata(file, snapshot, info, box);
+  write_cells(file, coordinates.values, box);
+  write_gas(file.create_group("PartType0"), snapshot, coordinates, info, compressed);
+  write_vtkhdf(file.create_group("VTKHDF"), snapshot, true_points(snapshot, box), compressed);
+  return file;
+}
+
 }  // namespace
 
 hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression) {
-  const bool compressed = compression == Compression::gzip;
   check_sizes(snapshot);
-  hdf5::File file = hdf5::File::create();
-  write_metadata(file, snapshot, info);
-  write_cells(file, snapshot);
-  write_gas(file.create_group("PartType0"), snapshot, info, compressed);
-  write_vtkhdf(file.create_group("VTKHDF"), snapshot, compressed);
-  return file;
+  return placed_file(snapshot, info, readers_box(snapshot), compression);
 }
 
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
@@ -135,7 +162,8 @@ void write_fields(const std::filesystem::path& path, const ParticleSet& particle
   for (const Array3& x : particles.x) coordinates.values.insert(coordinates.values.end(), x.begin(), x.end());
   snapshot.fields.push_back(std::move(coordinates));
   snapshot.fields.insert(snapshot.fields.end(), fields.begin(), fields.end());
-  write_snapshot(path, snapshot, info);
+  check_sizes(snapshot);
+  placed_file(snapshot, info, unshifted_box(snapshot), Compression::none).save(path);
 }
 
 void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries) {

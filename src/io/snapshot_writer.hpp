@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/engine/particle_set.hpp"
 #include "src/engine/settings.hpp"
+#include "src/io/units.hpp"
 
 namespace sphk {
 
@@ -23,20 +25,23 @@ struct SnapshotInfo {
   std::string scene_text;    ///< the complete scene file (TOML)
   double neighbours = 48;    ///< N_n of S12 eq 11
   double courant = 0.4;
-  Settings settings;  ///< every key is echoed under /Parameters
+  std::optional<Units> units;  ///< empty: code units, which readers are told are cgs
+  Settings settings;           ///< every key is echoed under /Parameters
 };
 
 enum class Compression { none, gzip };
 
 /// Writes `snapshot` as one HDF5 file that yt, pynbody, swiftsimio, SPLASH and ParaView open: SWIFT's layout, GADGET's
-/// singular names and a /VTKHDF group as hard links. Lengths, masses and times are in code units, which count as cgs.
+/// singular names and a /VTKHDF group as hard links. All numbers are in the units of `info`. Coordinates are moved to
+/// where readers look for them (readers_box.hpp), which read_particles undoes.
 /// The file is built in memory and appears under its name only when it is complete and on the disk. Throws InputError
 /// when the folder cannot be written, the disk is full, or a field does not have `snapshot.size()` rows.
 void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
                     Compression compression = Compression::none);
 
-/// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates in a file laid out
-/// like a snapshot: the output of `sphk rates`. `gamma` is the adiabatic index. Errors as for write_snapshot.
+/// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates, which are not moved,
+/// in a file laid out like a snapshot: the output of `sphk rates`. `gamma` is the adiabatic index. Errors as for
+/// write_snapshot.
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
                   double gamma, const SnapshotInfo& info);
 

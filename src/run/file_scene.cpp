@@ -6,6 +6,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
+#include "src/run/unit_keys.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -37,6 +38,7 @@ void FileScene::declare(Settings& settings) const {
                     .choices = {"file", "yes", "no"}});
   if (content_.gamma) settings.prefer("sph.gamma", *content_.gamma);
   settings.prefer("time.end", content_.particles.time);
+  if (content_.units) prefer_units(settings, *content_.units);
   for (const auto& [name, text] : method_) settings.prefer_from_text(name, text);
 }
 

@@ -12,7 +12,8 @@ namespace sphk {
 /// Density, velocity and pressure along x over the whole box: how gas without a scene of its own is drawn.
 PlotHint plain_hint(const Box& box);
 
-/// An initial-condition file that runs like a scene: gamma from the file where it says so, no exact solution.
+/// An initial-condition file that runs like a scene: gamma and units from the file where it says them,
+/// no exact solution.
 class FileScene : public Scene {
  public:
   static constexpr const char* scene_name = "file";
@@ -32,6 +33,8 @@ class FileScene : public Scene {
   PlotHint plot_hint(const Settings& settings) const override;
   /// What the reader assumed, made or left out, and what is rarely meant.
   const std::vector<std::string>& remarks() const { return verdict_.notes; }
+  /// The file's own; none where it does not say them, or they are those of the code.
+  const std::optional<Units>& units() const { return content_.units; }
 
  private:
   /// Reads the keys of schemes, terms and time-steps that a snapshot of sphk was made with.

@@ -122,12 +122,26 @@ Json conservation_of(const Targets& targets) {
   return {{"history", targets.history().string()}, {"title", title}};
 }
 
+/// Pictures on one scale show numbers of one unit.
+void require_same_units(const Json& runs) {
+  const auto units = [](const Json& run) { return run.contains("units") ? run["units"] : Json(); };
+  const auto same = [&](const Json& run, const char* quantity) {
+    const auto name = [&](const Json& of) { return of.is_null() ? Json() : of[quantity]; };
+    return name(units(run)) == name(units(runs.front()));
+  };
+  for (const Json& run : runs)
+    if (!same(run, "x") || !same(run, "m") || !same(run, "t"))
+      throw InputError(fmt::format("{} and {} are in different units: draw them in a figure each",
+                                   runs.front()["file"].get<std::string>(), run["file"].get<std::string>()));
+}
+
 /// One figure of all runs, which the script calls `kind`; `draws` begins the error where it has no name.
 void plot_together(const PlotRequest& request, const std::string& kind, const std::string& draws,
                    const std::function<Json(const Targets&)>& item_of) {
   if (!is_figure(request.out)) throw InputError(draws + ": name it with --out FILE.png");
   Json runs = Json::array();
   for (const std::string& what : request.what) runs.push_back(item_of(find_targets(what, false)));
+  require_same_units(runs);
   run_plot_script(Json{{kind, runs}, {"field", request.profile}, {"out", request.out->string()}}.dump());
 }
 

@@ -52,10 +52,21 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& c
   return profile;
 }
 
+/// What the axes say beside the names; null: code units.
+Json unit_labels(const ReadResult& content) {
+  if (!content.units) return nullptr;
+  Json labels;
+  for (const char* quantity : {"x", "t", "v", "m", "rho", "P", "u", "A", "energy"})
+    labels[quantity] =
+        unit_label(*content.units, quantity, content.particles.dimension, content.gamma.value_or(5.0 / 3));
+  return labels;
+}
+
 }  // namespace
 
 Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& problem, bool exact) {
-  const ParticleSet particles = read_particles(snapshot).particles;
+  const ReadResult content = read_particles(snapshot);
+  const ParticleSet& particles = content.particles;
   const Box& box = particles.box;
   const PlotHint hint = problem ? problem->scene->plot_hint(problem->settings) : plain_hint(box);
   const Array3 centre = centre_at(hint, particles);
@@ -72,6 +83,7 @@ Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& p
                {"centre", centre},
                {"velocity", hint.velocity},
                {"map", hint.map},
+               {"units", unit_labels(content)},
                {"exact", nullptr},
                {"title", snapshot.stem().string()}};
   if (!problem) return json;

@@ -8,6 +8,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/run/file_scene.hpp"
+#include "src/run/unit_keys.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/labels.hpp"
 #include "src/schemes/registry.hpp"
@@ -131,6 +132,7 @@ std::vector<std::string> apply_overrides(Settings& settings, const std::vector<O
   for (const Override& change : with_labels(overrides)) {
     try {
       settings.set_from_text(change.name, change.text, Origin::command_line);
+      checked_unit(change.name, change.text);
     } catch (const InputError& error) {
       problems.push_back(fmt::format("{}: {}", change.spelling, error.what()));
     }
@@ -142,6 +144,7 @@ std::vector<std::string> apply_overrides(Settings& settings, const std::vector<O
 void finish(Problem& problem, const std::vector<std::string>& problems) {
   if (!problems.empty()) throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
   lower_kernel(problem.settings);
+  settle_units(problem.settings);
   adapt(problem);
 }
 
@@ -163,6 +166,7 @@ std::vector<Override> overrides_of(const KeyTexts& keys) {
 }
 
 void declare_run_keys(Settings& settings) {
+  declare_unit_keys(settings);
   settings.declare({.name = "time.end", .value = 1.0, .doc = "end time, code units", .choices = {}});
   settings.declare({.name = "time.max_steps",
                     .value = std::int64_t{-1},
@@ -229,6 +233,15 @@ Problem resolve_run(const SceneFile& file, const fs::path& snapshot) {
   const std::vector<std::string> problems = take_all(problem, file, snapshot);
   finish(problem, problems);
   return problem;
+}
+
+std::vector<std::string> input_remarks(const Problem& problem) {
+  const auto* file = dynamic_cast<const FileScene*>(problem.scene);
+  std::vector<std::string> remarks;
+  if (file) remarks = file->remarks();
+  for (auto& remark : unit_remarks(units_of(problem.settings), file ? file->units() : std::nullopt))
+    remarks.push_back(std::move(remark));
+  return remarks;
 }
 
 Settings with_lattice(const Settings& settings) {

@@ -30,7 +30,7 @@ struct Problem {
   Settings settings;
 };
 
-/// Declares the keys of the sections [time] and [output] that the run loop reads.
+/// Declares the keys of the sections [units], [time] and [output] that a run reads.
 void declare_run_keys(Settings& settings);
 
 /// Whether a key may change when a run goes on: where it ends and what it leaves, not what it computes.
@@ -48,6 +48,9 @@ Problem resolve_problem(const std::string& what, const std::vector<Override>& ov
 /// The problem of a run by its scene file. Where the initial condition that it names is gone, the particles of
 /// `snapshot`, one of the run's, stand in for it. Throws InputError.
 Problem resolve_run(const SceneFile& file, const std::filesystem::path& snapshot);
+
+/// What is to be said of the file that a problem begins with, and of its units.
+std::vector<std::string> input_remarks(const Problem& problem);
 
 /// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one), for
 /// commands that only need their number and state.

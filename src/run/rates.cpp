@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "kernels/terms/switched_pair.hpp"
 #include "kernels/terms/viscosity_gingold_monaghan.hpp"
 #include "src/engine/errors.hpp"
-#include "src/run/file_scene.hpp"
 #include "src/run/run_output.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
@@ -80,8 +80,7 @@ RatesResult rates(const RatesRequest& request) {
   const double gamma = problem.settings.real("sph.gamma");
   write_fields(request.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
   RatesResult result{fields.size(), particles.size(), simulation->warnings()};
-  if (const auto* file = dynamic_cast<const FileScene*>(problem.scene))
-    result.warnings.insert(result.warnings.begin(), file->remarks().begin(), file->remarks().end());
+  std::ranges::copy(input_remarks(problem), std::inserter(result.warnings, result.warnings.begin()));
   return result;
 }
 

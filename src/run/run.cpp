@@ -11,7 +11,6 @@
 #include "src/io/atomic_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/report/run_json.hpp"
-#include "src/run/file_scene.hpp"
 #include "src/run/platform.hpp"
 #include "src/run/run_folder.hpp"
 #include "src/run/run_loop.hpp"
@@ -80,7 +79,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.build = build();
   record.left_out = description.left_out;
   record.costs.bytes_per_particle = description.bytes_per_particle;
-  if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
+  record.warnings = input_remarks(problem);
   const KernelPair pair{s.kernel, s.neighbours};
   const auto& [kernel, neighbours] =
       scheme_facts(s.scheme, compiled_schemes()).usual[static_cast<std::size_t>(particles.dimension - 1)];

@@ -4,13 +4,17 @@
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <string>
 
 #include "kernels/core/fields.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/machine.hpp"
 #include "src/run/platform.hpp"
 #include "src/run/scene_file.hpp"
+#include "src/run/unit_keys.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -19,6 +23,13 @@ namespace {
 
 std::string snapshot_name(std::size_t number) {
   return fmt::format("snap_{:04}.hdf5", number);
+}
+
+/// The time that a clock which adds up steps has missed by rounding: a number of few digits that is as good as the
+/// same.
+double meant_time(double time) {
+  const double meant = std::stod(fmt::format("{:.12g}", time));
+  return std::abs(meant - time) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(time) ? meant : time;
 }
 
 /// The conserved sums of a row.
@@ -62,6 +73,7 @@ SnapshotInfo snapshot_info(const Scene& scene, const Settings& settings) {
   info.scene_text = used_scene_file(settings, scene.name());
   info.neighbours = simulation.neighbours;
   info.courant = simulation.courant;
+  info.units = units_of(settings);
   info.settings = settings;
   return info;
 }
@@ -98,6 +110,7 @@ void RunOutput::write(const Simulation& simulation) {
   if (step.step == last_step_) return;
   const Stopwatch watch;
   Snapshot snapshot = simulation.snapshot();
+  snapshot.time = meant_time(snapshot.time);
   History::Measures measures = scene_.measures(settings_, snapshot);
   if (settings_.flag("output.errors")) {
     const std::vector<Field> errors = simulation.errors();

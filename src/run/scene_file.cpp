@@ -7,6 +7,7 @@
 #include "src/engine/errors.hpp"
 #include "src/engine/hint.hpp"
 #include "src/run/toml_file.hpp"
+#include "src/run/unit_keys.hpp"
 
 namespace sphk {
 
@@ -129,7 +130,7 @@ std::vector<std::string> SceneFile::apply(Settings& settings) const {
       problems.push_back(message(entry, entry.name + ": one number, string, true or false is wanted here", true));
     } else if (!section) {
       try {
-        settings.set(entry.name, entry.value, Origin::file);
+        settings.set(entry.name, checked_unit(entry.name, entry.value), Origin::file);
       } catch (const InputError& error) {
         problems.push_back(message(entry, error.what(), true));
       }

@@ -90,6 +90,23 @@ class Figures(unittest.TestCase):
         height, width = matplotlib.image.imread(os.path.join(self.folder, names[2])).shape[:2]
         self.assertGreater(height / width, 0.5)  # two rows of panels: the drifts and energies, then M, W, mixA, crossed
 
+    def test_axes_name_the_units_that_a_run_was_given(self):
+        units = ("--set", "units.length=kpc", "--set", "units.mass=1e10 Msun", "--set", "units.velocity=km/s")
+        self.sphk("run", "gresho", "-n", "16", "--set", "scene.dimension=2", "--steps", "1", *units, "--out", "galactic")
+        self.assertEqual(len(self.sphk("plot", "galactic").split()), 3)
+        refused = self.sphk("plot", "run", "galactic", "--out", "both.png", code=2)
+        self.assertIn("different units", refused)  # one colour scale would compare numbers of unlike meaning
+
+    def test_labels_have_a_unit_where_there_is_one(self):
+        sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../src/report/plot"))
+        from style import label_of, time_of
+
+        item = {"abscissa": "R", "time": 0.5, "units": {"x": "kpc", "rho": "1e10 Msun kpc^-3", "t": "977.79 Myr"}}
+        self.assertEqual(label_of(item, "R"), r"cylindrical radius $R$ [kpc]")
+        self.assertEqual(label_of(item, "rho"), r"density $\rho$ [10$^{10}$ M$_\odot$ kpc$^{-3}$]")
+        self.assertEqual(time_of(item), "t = 0.5 [977.79 Myr]")
+        self.assertEqual(label_of(item | {"units": None}, "R"), r"cylindrical radius $R$")
+
     def test_two_runs_share_one_scale_side_by_side(self):
         self.sphk("run", "gresho", "-n", "16", "--set", "scene.dimension=2", "--steps", "1", "--out", "other")
         self.sphk("plot", "run", "other/snap_0000.hdf5", "--out", "both.png")

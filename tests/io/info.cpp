@@ -14,10 +14,30 @@ TEST_F(Info, TellsOfAnOwnSnapshot) {
   s.fields[3].values = {1, 2, 6, std::numeric_limits<double>::infinity()};  // Densities: mean of the finite ones 3
   write_snapshot(file("snap.hdf5"), s, example_info());
   const std::string text = file_info(file("snap.hdf5"));
-  EXPECT_TRUE(mentions(text, {"snap.hdf5: sphk snapshot", "0.33333333", "step        17", "dimension   2",
-                              "[0.2, 1.7) periodic x [0.1, 1.6) periodic", "sph, kernel cs, 48 neighbours", "1.4",
-                              "4 particles (PartType0)", "Density", "another name of", "Coordinates.x"}));
+  EXPECT_TRUE(mentions(
+      text, {"snap.hdf5: sphk snapshot", "0.33333333", "step        17", "dimension   2", "units       code units",
+             "[0.2, 1.7) periodic x [0.1, 1.6) periodic", "sph, kernel cs, 48 neighbours", "1.4",
+             "4 particles (PartType0)", "Density", "another name of", "Coordinates.x"}));
   EXPECT_TRUE(mentions(text, {"Densities" + std::string(32, ' ') + "1             3             6  (1 not finite)"}));
+}
+
+/// The example lies in [0.2, 1.7), so that the file's own coordinates begin at 0.
+TEST_F(Info, CoordinatesAreThoseOfTheRun) {
+  Snapshot s = example_snapshot(2, 2);
+  s.fields[0].values = {0.25, 0.5, 0, 1.5, 0.75, 0};
+  write_snapshot(file("snap.hdf5"), s, example_info());
+  EXPECT_TRUE(mentions(file_info(file("snap.hdf5")),
+                       {"Coordinates.x                         0.25         0.875           1.5",
+                        "Coordinates.z                            0             0             0"}));
+}
+
+TEST_F(Info, UnitsAreNamedAndGivenInCgs) {
+  SnapshotInfo info = example_info();
+  info.units = Units{3.0857e21, 1.989e43, 3.0857e16};
+  write_snapshot(file("snap.hdf5"), example_snapshot(3, 4), info);
+  EXPECT_TRUE(mentions(file_info(file("snap.hdf5")),
+                       {"units       kpc, 1e10 Msun, km/s and 977.8 Myr",  // 3.0857e16 / 3.15576e13
+                        "(3.0857e+21 cm, 1.989e+43 g, 100000 cm/s, 3.0857e+16 s)"}));
 }
 
 TEST_F(Info, CountsOtherTypes) {

@@ -42,7 +42,7 @@ ATTRIBUTES = {  # group: {attribute: (type, shape)}; () is a scalar, as SWIFT ha
     "VTKHDF": {"Version": ("i8", (2,)), "Type": (STRING, ())},
     "sphk": {
         **dict.fromkeys(["Scene", "Scheme", "Kernel", "Precision", "SceneText"], (STRING, ())),
-        **dict.fromkeys(["SchemaVersion", "Dimension"], ("i4", (1,))),
+        **dict.fromkeys(["SchemaVersion", "Dimension", "CodeUnits"], ("i4", (1,))),
         **dict.fromkeys(["BoxLower", "BoxSize"], ("f8", (3,))),
         "Neighbours": ("f8", (1,)), "Step": ("i8", (1,)), "Periodic": ("i4", (3,)),
     },
@@ -59,7 +59,7 @@ FIELD_ATTRIBUTES = {
 }
 N = 50
 DATASETS = {
-    **{f"PartType0/{name}": ("f8", (N, 3)) for name in ["Coordinates", "Velocities"]},
+    **{name: ("f8", (N, 3)) for name in ["PartType0/Coordinates", "PartType0/Velocities", "VTKHDF/Points"]},
     **{f"PartType0/{name}": ("f8", (N,)) for name in ["Masses", "Densities", "InternalEnergies", "Pressures",
                                                       "SmoothingLengths", "SmoothingLength", "Entropies"]},
     "PartType0/ParticleIDs": ("u8", (N,)),
@@ -70,8 +70,7 @@ DATASETS = {
     "VTKHDF/Connectivity": ("i8", (N,)), "VTKHDF/Offsets": ("i8", (N + 1,)), "VTKHDF/Types": ("u1", (N,)),
 }
 HARD_LINKS = {"PartType0/Density": "PartType0/Densities", "PartType0/InternalEnergy": "PartType0/InternalEnergies",
-              "PartType0/Pressure": "PartType0/Pressures", "VTKHDF/Points": "PartType0/Coordinates",
-              "VTKHDF/PointData/Densities": "PartType0/Densities",
+              "PartType0/Pressure": "PartType0/Pressures", "VTKHDF/PointData/Densities": "PartType0/Densities",
               "VTKHDF/PointData/ParticleIDs": "PartType0/ParticleIDs"}
 FOREIGN_GROUPS = ["Config", "Constants", "HashTable", "FOF", "Group", "Subhalo"]  # yt would see another code's file
 
@@ -96,7 +95,8 @@ def check_values(file, dimension):
     assert file["Parameters"].attrs["InitialConditions:periodic"] == b"1"
     assert file["VTKHDF"].attrs["Type"] == b"UnstructuredGrid"
     positions = file["PartType0/Coordinates"][:]
-    assert np.all(positions[:, dimension:] == 0)
+    assert np.all(positions >= 0) and np.all(positions < header["BoxSize"])
+    assert np.all(positions[:, dimension:] == header["BoxSize"][dimension:] / 2)
     assert np.all(file["Cells/MinPositions/PartType0"][0] == positions.min(axis=0))
     assert np.all(file["Cells/MaxPositions/PartType0"][0] == positions.max(axis=0))
     assert file["Cells/Counts/PartType0"][0] == N

@@ -54,25 +54,6 @@ TEST_F(SnapshotWriter, PeriodicAxesAreKeptOneByOne) {
   EXPECT_EQ(read_particles(file("snap.hdf5")).particles.box.periodic, s.box.periodic);
 }
 
-/// Readers take the box to begin at 0: they find what lies elsewhere in a periodic box only, wide enough here for the
-/// extent of the particles, 3, and a support of 0.25 on either side.
-TEST_F(SnapshotWriter, OpenBoxesAreWrittenSoThatReadersSeeEveryParticle) {
-  Snapshot s = example_snapshot(1, 2);
-  s.box = {{-2, 0, 0}, {2, 1, 1}, {false, false, false}};
-  s.fields[6].values = {0.25, 0.125};  // SmoothingLength
-  const auto written = [&](double x0, double x1) {
-    s.fields[0].values = {x0, 0, 0, x1, 0, 0};
-    write_snapshot(file("snap.hdf5"), s, example_info());
-    EXPECT_EQ(read_particles(file("snap.hdf5")).particles.box.periodic, s.box.periodic);
-    const auto made = hdf5::File::open(file("snap.hdf5"));
-    return std::pair(made.group("Header").numbers("BoxSize")[0],
-                     made.group("RuntimePars").numbers("PeriodicBoundariesOn")[0]);
-  };
-  EXPECT_EQ(written(0.5, 1.5), std::pair(2.0, 0.0));
-  EXPECT_EQ(written(-1.5, 0.25), std::pair(2.25, 1.0));
-  EXPECT_EQ(written(-1.5, 1.5), std::pair(3.5, 1.0));
-}
-
 TEST_F(SnapshotWriter, CompressionMakesRegularFieldsSmaller) {
   Snapshot s = example_snapshot(3, 20000);
   for (Field& f : s.fields) std::fill(f.values.begin(), f.values.end(), 0.25);

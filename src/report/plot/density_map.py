@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.ticker import FuncFormatter, LogLocator
 from mpl_toolkits.axes_grid1 import make_axes_locatable
-from style import LABELS, plt, save
+from style import label_of, plt, save, time_of, unit_of, with_unit
 
 PIXELS = 320  # along the longer side
 RADIUS = 2.0  # of the weighting kernel, in units of the particles' spacing
@@ -97,10 +97,11 @@ def draw_density_maps(snapshots, path):
         item = snapshot.item
         picture = draw_image(axes, image, norm, lower, size)
         middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
-        where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}"
-        axes.set(xlabel="$x$", ylabel="$y$", title=f"{item['title']}\nt = {item['time']:.4g}{where}")
+        where = "" if item["dimension"] < 3 else f", slice at z = {middle:.3g}{unit_of(item, 'x')}"
+        axes.set(xlabel=with_unit("$x$", item, "x"), ylabel=with_unit("$y$", item, "x"),
+                 title=f"{item['title']}\n{time_of(item)}{where}")
         bar = make_axes_locatable(axes).append_axes("right", size=0.22, pad=0.15)
-        colours = figure.colorbar(picture, cax=bar, label=LABELS["rho"])
+        colours = figure.colorbar(picture, cax=bar, label=label_of(item, "rho"))
         if isinstance(norm, LogNorm):
             colours.locator = LogLocator(subs=(1, 2, 5))
             colours.formatter = FuncFormatter(lambda value, _: f"{value:g}")

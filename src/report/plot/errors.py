@@ -3,7 +3,7 @@ steepest place, |E0| and P along y, and how far the nearest neighbours are."""
 
 import numpy as np
 from density_map import draw_image, images_of
-from style import LABELS, MEAN, PARTICLES, plt, save, share_limits
+from style import MEAN, PARTICLES, label_of, plt, save, share_limits, time_of, with_unit
 
 MOST_POINTS = 30000
 BINS = 64
@@ -75,15 +75,15 @@ def draw_errors(snapshots, path):
     for row, snapshot, (lower, size), image in zip(grid, snapshots, frames, images):
         item = snapshot.item
         picture = draw_image(row[0], image, norm, lower, size)
-        row[0].set(title=f"{item['title']}\nt = {item['time']:.4g}", ylabel="$y$")
-        figure.colorbar(picture, ax=row[0], label=LABELS["rho"])
+        row[0].set(title=f"{item['title']}\n{time_of(item)}", ylabel=with_unit("$y$", item, "x"))
+        figure.colorbar(picture, ax=row[0], label=label_of(item, "rho"))
         draw_close_up(row[1], snapshot, steepest_place(image, lower, size), ZOOM * size.max())
         draw_along_y(row[2], snapshot, np.sqrt((snapshot.E0**2).sum(1)), r"$|E_0|$", True)
-        draw_along_y(row[3], snapshot, snapshot.fields["P"], LABELS["P"], False)
+        draw_along_y(row[3], snapshot, snapshot.fields["P"], label_of(item, "P"), False)
         draw_nearest(row[4], snapshot)
     share_limits(grid[:, 2], decades=6)
     share_limits(grid[:, 3])
     labels = ("$x$", "$x$", "$y$", "$y$", "distance of the nearest neighbour")
     for axes, label in zip(grid[-1], labels):
-        axes.set_xlabel(label)
+        axes.set_xlabel(label if label.startswith("distance") else with_unit(label, snapshots[-1].item, "x"))
     save(figure, path)

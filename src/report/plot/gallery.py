@@ -1,9 +1,9 @@
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
 from density_map import draw_image, images_of
-from profiles import draw_field, field_label
+from profiles import draw_field
 from snapshot import Snapshot
-from style import LABELS, panels_of, plt, save
+from style import label_of, panels_of, plt, save
 
 COLUMNS = 5
 
@@ -20,8 +20,8 @@ def draw_profile(axes, snapshot, name):
     draw_field(axes, snapshot, name, point=2.5, mean=3.5, edge=1, line=1.6)
     axes.locator_params(nbins=4)
     axes.tick_params(labelsize=9)
-    axes.set_xlabel(LABELS[snapshot.item["abscissa"]], fontsize=10, labelpad=1)
-    axes.set_ylabel(field_label(snapshot.item, name), fontsize=10, labelpad=1)
+    axes.set_xlabel(label_of(snapshot.item, snapshot.item["abscissa"]), fontsize=10, labelpad=1)
+    axes.set_ylabel(label_of(snapshot.item, name), fontsize=10, labelpad=1)
 
 
 def draw_tile(axes, item):

@@ -3,7 +3,7 @@
 import csv
 
 import numpy as np
-from style import LINES, MARKERS, panels_of, plt, save
+from style import LINES, MARKERS, panels_of, plt, save, with_unit
 
 DRIFTS = {
     "energy_drift": "energy",
@@ -129,7 +129,8 @@ def draw_conservation(runs, path):
     save(figure, path)
 
 
-def draw_history(history, references, title, path):
+def draw_history(history, references, run, path):
+    """`run`: the work order's item of one of its snapshots."""
     panels = [draw_drifts, draw_energies]
     if any("l1_" + name in history for name in SYMBOLS):
         panels.append(draw_errors)
@@ -137,6 +138,8 @@ def draw_history(history, references, title, path):
     figure, grid, _ = panels_of(len(panels), 3, 5.6, 4.6, header=0.4)
     for axes, draw in zip(grid, panels):
         draw(axes, history)
+        axes.set_xlabel(with_unit(axes.get_xlabel(), run, "t"))
+    grid[panels.index(draw_energies)].set_ylabel(with_unit("energy", run, "energy"))
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12)
-    figure.suptitle(title, fontsize=15)
+    figure.suptitle(run["title"], fontsize=15)
     save(figure, path)

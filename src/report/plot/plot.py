@@ -50,7 +50,7 @@ def draw_run(work):
         if has_map(item):
             draw_density_maps([snapshot], item["out"][: -len(".png")] + "_map.png")
     if work.get("history_out") and len(history.get("time", [])) > 1:
-        draw_history(history, work["references"], work["snapshots"][-1]["title"], work["history_out"])
+        draw_history(history, work["references"], work["snapshots"][-1], work["history_out"])
 
 
 FIGURES = {  # by the key that only the work order of such a figure has

@@ -1,7 +1,7 @@
 """Particles as light points, their means in bins, and the exact solution, one panel a field."""
 
 import numpy as np
-from style import EXACT, LABELS, MEAN, PARTICLES, VELOCITIES, panels_of, save, share_limits
+from style import EXACT, MEAN, PARTICLES, label_of, panels_of, save, share_limits, time_of
 
 MOST_POINTS = 20000
 BINS = 50
@@ -14,10 +14,6 @@ def bin_means(s, y, low, high):
     total = np.bincount(index, weights=y, minlength=BINS)
     centre = low + (np.arange(BINS) + 0.5) * (high - low) / BINS
     return centre[count > 0], total[count > 0] / count[count > 0]
-
-
-def field_label(item, name):
-    return VELOCITIES[item["abscissa"]] if name == "v" else LABELS.get(name, name)
 
 
 def limits(values):
@@ -50,7 +46,7 @@ def draw_field(axes, snapshot, name, point=None, mean=5, edge=1.3, line=1.8):
 def draw_panel(axes, snapshot, name, error):
     draw_field(axes, snapshot, name)
     item = snapshot.item
-    axes.set(xlabel=LABELS[item["abscissa"]], ylabel=field_label(item, name))
+    axes.set(xlabel=label_of(item, item["abscissa"]), ylabel=label_of(item, name))
     axes.set_title(f"$L_1$ = {error:.3g}" if error is not None else "")
 
 
@@ -68,7 +64,7 @@ def draw_profiles(snapshot, errors, path):
     figure, panels, rows = panels_of(len(names), 3, 4.9, 4.1, header=0.9)
     for axes, name in zip(panels, names):
         draw_panel(axes, snapshot, name, errors.get(name))
-    figure.suptitle(f"{item['title']}, t = {item['time']:.4g}", fontsize=15)
+    figure.suptitle(f"{item['title']}, {time_of(item)}", fontsize=15)
     add_legend(figure, panels[0], rows)
     save(figure, path)
 

@@ -14,7 +14,9 @@ class Snapshot:
         self.item = item
         with h5py.File(item["file"], "r") as file:
             gas = file["PartType0"]
-            self.x = gas["Coordinates"][...].astype(float)
+            points = file["VTKHDF/Points"] if "VTKHDF/Points" in file else gas["Coordinates"]  # not moved for readers
+            self.x = points[...].astype(float)
+            self.x[:, item["dimension"]:] = 0
             self.velocity = gas["Velocities"][...].astype(float) - np.array(item["velocity"])
             self.E0 = gas["E0"][...].astype(float) if "E0" in gas else None
             self.nearest = gas["NearestNeighbour"][...].astype(float) if "NearestNeighbour" in gas else None

@@ -1,5 +1,7 @@
 """Looks of all figures: colours that colour-blind readers tell apart (Okabe and Ito), sizes readable at half size."""
 
+import re
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -27,7 +29,7 @@ plt.rcParams.update({
     "mathtext.fontset": "dejavusans",
 })
 
-# Axis label of every quantity a figure can show; code units throughout.
+# Axis label of every quantity a figure can show; with_unit() adds the unit.
 LABELS = {
     "rho": r"density $\rho$",
     "P": r"pressure $P$",
@@ -46,6 +48,27 @@ VELOCITIES = {
     "R": r"azimuthal velocity $v_\varphi$",
     "r": r"radial velocity $v_r$",
 }
+
+
+def unit_of(item, quantity):
+    """The unit of a quantity in a work order's run, for use behind a number or a name; empty: code units."""
+    unit = (item.get("units") or {}).get(quantity, "")
+    unit = re.sub(r"\^(-?[\d.]+)", r"$^{\1}$", re.sub(r"\b1e(-?\d+)", r"10$^{\1}$", unit))
+    return f" [{unit}]".replace("sun", r"$_\odot$").replace("earth", r"$_\oplus$") if unit else ""
+
+
+def with_unit(label, item, quantity):
+    return label + unit_of(item, quantity)
+
+
+def label_of(item, quantity):
+    """The axis label of a quantity, with its unit."""
+    label = VELOCITIES[item["abscissa"]] if quantity == "v" else LABELS.get(quantity, quantity)
+    return with_unit(label, item, "x" if quantity in ("y", "R", "r") else quantity)
+
+
+def time_of(item):
+    return f"t = {item['time']:.4g}{unit_of(item, 't')}"
 
 
 def panels_of(count, most_columns, width, height, header=0.0, **options):

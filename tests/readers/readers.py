@@ -1,0 +1,37 @@
+"""What today's readers show of our snapshots by their default calls: numbers, slices and projections.
+Usage: readers.py SPHK ENVIRONMENT"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import environment
+
+if sys.argv[-1] != "within":
+    environment.run_within(sys.argv[2], [*sys.argv, "within"])
+
+import numpy as np
+from runs import RUNS, check_rates, make
+from with_pynbody import check_pynbody
+from with_swiftsimio import check_swiftsimio
+from with_vtk import check_series, check_vtk
+from with_yt import check_yt
+
+
+def main():
+    failed = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name in RUNS:
+            truth = make(sys.argv[1], Path(folder), name)
+            for check in [check_rates, check_vtk, check_series, check_yt, check_swiftsimio, check_pynbody]:
+                try:
+                    check(truth)
+                    print(f"{name}: {check.__name__} passed", flush=True)
+                except Exception as error:  # of the readers, too: tell all of them
+                    failed.append(f"{name}: {check.__name__}: {type(error).__name__}: {error}")
+                    print(failed[-1], flush=True)
+    sys.exit(len(failed) > 0)
+
+
+np.seterr(all="ignore")
+main()
