@@ -75,6 +75,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.dimension = particles.dimension;
   record.platform = detect_platform(s.precision);
   record.build = build();
+  record.provenance = provenance();
   record.left_out = description.left_out;
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene)) record.warnings = file->remarks();
   const KernelPair pair{s.kernel, s.neighbours};

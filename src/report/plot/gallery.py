@@ -1,6 +1,6 @@
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
-from density_map import draw_image, images_of
+from field_map import draw_image, images_of
 from profiles import draw_field, field_label
 from snapshot import Snapshot
 from style import LABELS, panels_of, plt, save
@@ -9,8 +9,8 @@ COLUMNS = 5
 
 
 def draw_map(axes, snapshot):
-    [frame], [image], norm = images_of([snapshot])
-    draw_image(axes, image, norm, *frame)
+    [frame], [image], colours = images_of([snapshot])
+    draw_image(axes, image, colours, *frame)
     axes.set(xticks=[], yticks=[])
     for side in axes.spines.values():
         side.set_visible(False)
