@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -26,6 +27,31 @@ fs::path this_executable() {
 
 fs::path shared_folder() {
   return this_executable().parent_path().parent_path() / "share/sphk";
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
+}
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::string word : words) {
+    const auto special = " \t\n\"'\\$&|;<>()*?[]{}#~`!";
+    if (word.empty() || word.find_first_of(special) != std::string::npos) {
+      for (std::size_t k = 0; (k = word.find('\'', k)) != std::string::npos; k += 4) word.replace(k, 1, "'\\''");
+      word = "'" + word + "'";
+    }
+    text += (text.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+std::string command_of_this_process() {
+  std::ifstream file("/proc/self/cmdline");  // proc(5): every word ends with a zero byte
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return shell_text(words);
 }
 
 std::string start_of_process(pid_t id) {

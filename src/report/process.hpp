@@ -17,6 +17,14 @@ std::filesystem::path this_executable();
 /// and the studies that have names.
 std::filesystem::path shared_folder();
 
+/// The machine that processes run on, as it names itself in its network.
+std::string host_name();
+
+/// Words as a shell takes them, in quotation marks where it needs some.
+std::string shell_text(const std::vector<std::string>& words);
+/// The words that this process was started with, as a shell takes them; empty where the machine does not tell.
+std::string command_of_this_process();
+
 /// When a process began, in ticks since the machine did; empty where there is none, or the machine does not tell.
 std::string start_of_process(pid_t id);
 /// Wall-clock seconds since this process began; 0 where the machine does not tell.

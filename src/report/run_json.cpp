@@ -191,6 +191,11 @@ std::string run_json(const RunRecord& r) {
       {"version", r.build.version},
       {"git_revision", r.build.git_revision},
       {"compiler", r.build.compiler},
+      {"compiler_flags", r.build.flags},
+      {"kokkos", r.build.kokkos},
+      {"command", r.provenance.command},
+      {"host", r.provenance.host},
+      {"date", r.provenance.date},
       {"machine", machine_name()},
   };
   if (r.budget) json["error_budget"] = error_budget(*r.budget);

@@ -26,6 +26,13 @@ struct Platform {
 /// Which sphk computes.
 struct Build {
   std::string version, git_revision, compiler;
+  std::string flags, kokkos;  ///< of the compiler; Kokkos' version and backends
+};
+
+/// Who started a run, where and when.
+struct Provenance {
+  std::string command, host;
+  std::string date;  ///< of the start, or of the last resume: 2026-01-31T12:00:00Z
 };
 
 /// Everything that run.json and the final table say about a run.
@@ -37,6 +44,7 @@ struct RunRecord {
   int dimension = 3;
   Platform platform;
   Build build;
+  Provenance provenance;
   long steps = 0;
   double time = 0;          ///< reached, in code units
   bool finished = false;    ///< the end time or the asked number of steps was reached

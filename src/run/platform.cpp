@@ -1,13 +1,16 @@
 #include "src/run/platform.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
+#include <ctime>
 #include <sphk_version.hpp>
 #include <type_traits>
 
 #include "src/report/fma_peak.hpp"
 #include "src/report/machine.hpp"
+#include "src/report/process.hpp"
 
 namespace sphk {
 
@@ -40,7 +43,16 @@ Platform detect_platform(const std::string& precision) {
 Build build() {
   return {.version = build_info::version,
           .git_revision = build_info::git_revision,
-          .compiler = fmt::format("{} {}", build_info::compiler_name, build_info::compiler_version)};
+          .compiler = fmt::format("{} {}", build_info::compiler_name, build_info::compiler_version),
+          .flags = SPHK_COMPILER_FLAGS,
+          .kokkos = fmt::format("{} for {}", build_info::kokkos_version, build_info::kokkos_backends)};
+}
+
+Provenance provenance() {
+  const std::time_t now = std::time(nullptr);
+  return {.command = command_of_this_process(),
+          .host = host_name(),
+          .date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
 }
 
 std::string version_text() {

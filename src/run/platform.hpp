@@ -11,6 +11,9 @@ Platform detect_platform(const std::string& precision);
 
 Build build();
 
+/// This process, host and time.
+Provenance provenance();
+
 /// "sphk 0.1.0 (revision), compiler, Kokkos".
 std::string version_text();
 

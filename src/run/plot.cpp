@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
 #include "src/report/plot_script.hpp"
+#include "src/run/plot_fields.hpp"
 #include "src/run/plot_items.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -54,18 +56,21 @@ Targets find_targets(const fs::path& what, bool every) {
 
 /// Does --out name a file, not a folder?
 bool is_figure(const std::optional<fs::path>& out) {
-  return out && out->extension() == ".png";
+  constexpr std::array endings{".png", ".pdf", ".svg", ".jpg"};
+  return out && std::ranges::find(endings, out->extension()) != endings.end();
 }
 
-/// Figure names: `--out FILE.png` for a single snapshot, else beside the snapshots or in the folder of --out.
-fs::path figure_name(const PlotRequest& request, const Targets& targets, const fs::path& snapshot) {
+/// Name of the figure of one snapshot: --out where that is a file, else beside the snapshot or in the folder of --out,
+/// with `ending` behind the snapshot's name.
+fs::path figure_name(const PlotRequest& request, const Targets& targets, const fs::path& snapshot,
+                     const std::string& ending = "") {
   const bool is_file = is_figure(request.out);
   if (is_file && targets.snapshots.size() > 1)
     throw InputError(fmt::format("--out {}: several snapshots are drawn, so give a folder", request.out->string()));
   if (is_file) return *request.out;
   const fs::path folder = request.out.value_or(targets.folder);
   if (request.out) fs::create_directories(folder);
-  return folder / snapshot.filename().replace_extension(".png");
+  return folder / (snapshot.stem().string() + ending + ".png");
 }
 
 std::optional<Problem> problem_of(const Targets& targets) {
@@ -82,10 +87,17 @@ Json references_of(const Problem& problem) {
   return references;
 }
 
-/// A density map; `why_not` ends the sentence on gas in one dimension, which has none.
-Json map_of(const Targets& targets, const std::string& why_not) {
-  Json map = describe_snapshot(targets.snapshots.back(), problem_of(targets), false);
-  if (map["dimension"] == 1) throw InputError(fmt::format("{} is one-dimensional{}", targets.what.string(), why_not));
+/// A snapshot of which a map is drawn.
+Json map_of(const fs::path& snapshot, const std::optional<Problem>& problem) {
+  Json map = describe_snapshot(snapshot, problem, false);
+  if (map["dimension"] == 1)
+    throw InputError(
+        fmt::format("{} is one-dimensional: it has no map; --profile draws a field along x", snapshot.string()));
+  if (map["names"].contains("|v|")) map["names"]["v"] = map["names"]["|v|"];  // it has no direction of its own
+  for (const char* needed : {"rho", "m"})
+    if (!map["names"].contains(needed))
+      throw InputError(fmt::format("{} holds no densities or masses, which maps need; snapshots of `sphk run` do",
+                                   snapshot.string()));
   return map;
 }
 
@@ -94,13 +106,28 @@ Json errors_of(const Targets& targets) {
   const fs::path& snapshot = targets.snapshots.back();
   if (!hdf5::File::open(snapshot).group("PartType0").has("E0"))
     throw InputError(fmt::format("{} holds no E0: run with --set output.errors=true", snapshot.string()));
-  return map_of(targets, ": --errors draws maps and lines along y");
+  return map_of(snapshot, problem_of(targets));
 }
 
-/// A run against the exact solution.
-Json profile_of(const Targets& targets, bool exact) {
+/// Throws InputError unless every snapshot has the field, and positive values of it where the scale is logarithmic.
+void check_field(const PlotRequest& request, const std::string& name, const Json& item) {
+  const fs::path snapshot = item["file"].get<std::string>();
+  PlotField field = find_plot_field(plot_fields(snapshot, item["dimension"]), name, snapshot);
+  field.part = item["names"][name][1];
+  if (!request.logarithmic || !request.range.empty()) return;
+  const bool signed_part = field.part == "R" || field.part == "phi" || field.part == "r";
+  if (const double least = signed_part ? -1 : least_value(field, snapshot); !(least > 0))
+    throw InputError(
+        fmt::format("--log: {} is not positive everywhere in {}{}: leave --log out, or give a range above "
+                    "0 with --range LO,HI",
+                    name, snapshot.string(), signed_part ? "" : fmt::format(" (the least is {:g})", least)));
+}
+
+/// A field of a run against the exact solution.
+Json profile_of(const PlotRequest& request, const Targets& targets) {
   const auto problem = problem_of(targets);
-  Json item = describe_snapshot(targets.snapshots.back(), problem, exact);
+  Json item = describe_snapshot(targets.snapshots.back(), problem, request.exact);
+  check_field(request, request.profile, item);
   item["history"] = fs::exists(targets.history()) ? Json(targets.history().string()) : Json(nullptr);
   item["label"] = targets.folder.filename().string();
   if (problem) {
@@ -135,14 +162,56 @@ void require_same_units(const Json& runs) {
                                    runs.front()["file"].get<std::string>(), run["file"].get<std::string>()));
 }
 
-/// One figure of all runs, which the script calls `kind`; `draws` begins the error where it has no name.
+/// The range and scale of a field's colours or axis.
+Json view_of(const PlotRequest& request) {
+  return {{"range", request.range.empty() ? Json(nullptr) : Json(request.range)}, {"log", request.logarithmic}};
+}
+
+/// One figure of all runs, which the script calls `kind`; `draws` begins the error where it has no name. One run's
+/// needs none where there is an `ending` of it.
 void plot_together(const PlotRequest& request, const std::string& kind, const std::string& draws,
-                   const std::function<Json(const Targets&)>& item_of) {
-  if (!is_figure(request.out)) throw InputError(draws + ": name it with --out FILE.png");
+                   const std::string& ending, const std::function<Json(const Targets&)>& item_of) {
+  const bool named = !is_figure(request.out) && request.what.size() == 1 && !ending.empty();
+  if (!is_figure(request.out) && !named) throw InputError(draws + ": name it with --out FILE.png");
   Json runs = Json::array();
-  for (const std::string& what : request.what) runs.push_back(item_of(find_targets(what, false)));
+  fs::path out = request.out.value_or("");
+  for (const std::string& what : request.what) {
+    const Targets targets = find_targets(what, false);
+    runs.push_back(item_of(targets));
+    if (named) out = figure_name(request, targets, targets.snapshots.back(), ending);
+  }
   require_same_units(runs);
-  run_plot_script(Json{{kind, runs}, {"field", request.profile}, {"out", request.out->string()}}.dump());
+  const std::string field = request.map.empty() ? request.profile : request.map;
+  run_plot_script(Json{{kind, runs}, {"field", field}, {"view", view_of(request)}, {"out", out.string()}}.dump());
+}
+
+/// A map of every snapshot of one run, all on one scale of colours.
+void plot_frames(const PlotRequest& request) {
+  const Targets targets = find_targets(request.what.front(), true);
+  const std::optional<Problem> problem = problem_of(targets);
+  Json frames = Json::array();
+  for (const fs::path& snapshot : targets.snapshots) {
+    Json item = map_of(snapshot, problem);
+    check_field(request, request.map, item);
+    item["out"] = figure_name(request, targets, snapshot, "_map_" + request.map).string();
+    frames.push_back(std::move(item));
+  }
+  run_plot_script(Json{{"frames", frames}, {"field", request.map}, {"view", view_of(request)}}.dump());
+}
+
+/// The last snapshot of each run, side by side on one scale of colours; or every snapshot of one, a figure each.
+void plot_maps(PlotRequest request) {
+  const bool asked = !request.map.empty();
+  if (!asked) request.map = "rho";
+  if (request.every) return plot_frames(request);
+  plot_together(
+      request, "maps",
+      asked ? "--map draws one figure for all runs" : "several runs go into one figure, each as a density map",
+      "_map_" + request.map, [&](const Targets& targets) {
+        Json item = map_of(targets.snapshots.back(), problem_of(targets));
+        check_field(request, request.map, item);
+        return item;
+      });
 }
 
 /// The snapshots of one run or file, a figure each, and its history.
@@ -163,25 +232,42 @@ void plot_run(const PlotRequest& request) {
   run_plot_script(work.dump());
 }
 
+/// Throws InputError where wishes contradict each other.
+void check(const PlotRequest& request) {
+  const auto& out = request.out;
+  if (out && out->has_extension() && !is_figure(out) && !fs::is_directory(*out))
+    throw InputError(
+        fmt::format("--out {}: figures are .png, .pdf, .svg or .jpg files, so write {}; or a folder, made "
+                    "before or with a slash at its end",
+                    out->string(), fs::path(*out).replace_extension(".png").string()));
+  const bool map = !request.map.empty(), profile = !request.profile.empty();
+  if (map + profile + request.conservation + request.errors > 1)
+    throw InputError("--map, --profile, --errors and --conservation each make a figure of their own: give one of them");
+  if ((!request.range.empty() || request.logarithmic) && !map && !profile)
+    throw InputError("--range and --log are those of one field: name it with --map FIELD or --profile FIELD");
+  if (!request.range.empty() && !(request.range[0] < request.range[1]))
+    throw InputError(
+        fmt::format("--range {:g},{:g}: the first number must be the smaller one", request.range[0], request.range[1]));
+  if (request.logarithmic && !request.range.empty() && !(request.range[0] > 0))
+    throw InputError(
+        fmt::format("--range {:g},{:g} with --log: both numbers must be above 0", request.range[0], request.range[1]));
+  if (request.every && (request.what.size() > 1 || profile || request.errors || request.conservation))
+    throw InputError("--all draws every snapshot of one run, as it is or with --map FIELD");
+}
+
 }  // namespace
 
 void plot(const PlotRequest& request) {
-  if (const auto& out = request.out; out && out->has_extension() && !is_figure(out) && !fs::is_directory(*out))
-    throw InputError(
-        fmt::format("--out {}: figures are PNG files, so write {}; or a folder, made before or with a "
-                    "slash at its end",
-                    out->string(), fs::path(*out).replace_extension(".png").string()));
+  check(request);
   if (request.conservation)
-    return plot_together(request, "conservation", "--conservation draws one figure for all runs", conservation_of);
+    return plot_together(request, "conservation", "--conservation draws one figure for all runs", "", conservation_of);
   if (!request.profile.empty())
-    return plot_together(request, "profiles", "--profile draws one figure for all runs",
-                         [&](const Targets& targets) { return profile_of(targets, request.exact); });
-  if (request.errors) return plot_together(request, "errors", "--errors draws one figure for all runs", errors_of);
-  if (request.what.size() == 1) return plot_run(request);
-  if (request.every && is_figure(request.out))
-    throw InputError("--all draws every snapshot of one run; several runs are given");
-  plot_together(request, "beside", "several runs go into one figure, each as a density map",
-                [](const Targets& targets) { return map_of(targets, " and has no density map"); });
+    return plot_together(request, "profiles", "--profile draws one figure for all runs", "_profile_" + request.profile,
+                         [&](const Targets& targets) { return profile_of(request, targets); });
+  if (request.errors)
+    return plot_together(request, "errors", "--errors draws one figure for all runs", "_errors", errors_of);
+  if (request.what.size() == 1 && request.map.empty()) return plot_run(request);
+  plot_maps(request);
 }
 
 }  // namespace sphk

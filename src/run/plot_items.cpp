@@ -6,6 +6,7 @@
 
 #include "src/io/reader.hpp"
 #include "src/run/file_scene.hpp"
+#include "src/run/plot_fields.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -27,15 +28,24 @@ Array3 centre_at(const PlotHint& hint, const ParticleSet& particles) {
   return centre;
 }
 
-/// The exact solution sampled along the scene's abscissa from the centre. `v` is v_x along x and y, the azimuthal
-/// velocity along R and the radial one along r, beside the centre's.
+/// What `v` is along the scene's abscissa: v_x along x and y, the azimuthal velocity along R and the radial one along
+/// r.
+const char* shown_velocity(const std::string& abscissa) {
+  return abscissa == "R" ? "phi" : abscissa == "r" ? "r" : "x";
+}
+
+/// The exact solution sampled along the scene's abscissa from the centre. Velocities about a centre are beside its own.
 Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& centre, double time) {
   const auto exact = problem.scene->exact(problem.settings);
   if (!exact) return nullptr;
   constexpr int points = 4000;
   const double gamma = problem.settings.real("sph.gamma");
   const bool from_centre = hint.abscissa == "R" || hint.abscissa == "r";
-  const int axis = hint.abscissa == "y" ? 1 : 0, component = hint.abscissa == "R" ? 1 : 0;
+  const int axis = hint.abscissa == "y" ? 1 : 0;
+  const std::string along = hint.abscissa == "R"   ? "v_R"
+                            : hint.abscissa == "r" ? "v_r"
+                                                   : "v_x",
+                    across = hint.abscissa == "R" ? "v_phi" : "v_y";
   Json profile;
   for (int k = 0; k < points; ++k) {
     const double s = hint.from + (k + 0.5) / points * (hint.to - hint.from);
@@ -45,10 +55,12 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& c
     profile["abscissa"].push_back(s);
     profile["rho"].push_back(state.rho);
     profile["P"].push_back(state.P);
-    profile["v"].push_back(state.v[component] - hint.velocity[component]);
+    profile[along].push_back(state.v[0] - hint.velocity[0]);
+    if (hint.abscissa != "r") profile[across].push_back(state.v[1] - hint.velocity[1]);
     profile["u"].push_back(state.u(gamma));
     profile["A"].push_back(state.P / std::pow(state.rho, gamma));
   }
+  profile["v"] = profile[std::string("v_") + shown_velocity(hint.abscissa)];
   return profile;
 }
 
@@ -62,6 +74,14 @@ Json unit_labels(const ReadResult& content) {
   return labels;
 }
 
+/// By name, dataset and part of all fields that figures can show.
+Json names_of(const fs::path& snapshot, const std::string& abscissa, int dimension) {
+  Json names = Json::object();
+  for (const PlotField& field : plot_fields(snapshot, dimension)) names[field.name] = {field.dataset, field.part};
+  if (names.contains("v")) names["v"][1] = shown_velocity(abscissa);
+  return names;
+}
+
 }  // namespace
 
 Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& problem, bool exact) {
@@ -70,6 +90,10 @@ Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& p
   const Box& box = particles.box;
   const PlotHint hint = problem ? problem->scene->plot_hint(problem->settings) : plain_hint(box);
   const Array3 centre = centre_at(hint, particles);
+  const Json names = names_of(snapshot, hint.abscissa, particles.dimension);
+  std::vector<std::string> fields = hint.fields;
+  for (const char* extra : {"alpha", "E0"})  // S12 Figs. 3, 5
+    if (names.contains(extra)) fields.emplace_back(extra);
   Json json = {{"file", snapshot.string()},
                {"time", particles.time},
                {"dimension", particles.dimension},
@@ -77,7 +101,8 @@ Json describe_snapshot(const fs::path& snapshot, const std::optional<Problem>& p
                {"box_size", box.size},
                {"periodic", box.periodic},
                {"abscissa", hint.abscissa},
-               {"fields", hint.fields},
+               {"fields", fields},
+               {"names", names},
                {"from", hint.from},
                {"to", hint.to},
                {"centre", centre},

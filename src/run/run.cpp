@@ -77,6 +77,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.dimension = particles.dimension;
   record.platform = detect_platform(s.precision);
   record.build = build();
+  record.provenance = provenance();
   record.left_out = description.left_out;
   record.costs.bytes_per_particle = description.bytes_per_particle;
   record.warnings = input_remarks(problem);

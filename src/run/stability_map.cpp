@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -44,6 +46,25 @@ void check(const StabilityRequest& request, int dimension) {
         h, widest_support, std::ceil(lattice_neighbours(1, dimension)), lattice_neighbours(widest_support, dimension)));
 }
 
+/// The waves of WaveModes, by the name that text and figure have for them, and that of their column.
+struct WaveKind {
+  const char *name, *column;
+  double WaveModes::*value;
+};
+constexpr std::array kinds_of_waves{WaveKind{"longitudinal", "longitudinal", &WaveModes::longitudinal},
+                                    WaveKind{"transverse", "transverse", &WaveModes::transverse},
+                                    WaveKind{"transverse (z)", "transverse_z", &WaveModes::transverse_z},
+                                    WaveKind{"relative", "relative", &WaveModes::relative}};
+
+/// Those that a lattice can have.
+std::vector<WaveKind> kinds_of(const Lattice& lattice) {
+  std::vector<WaveKind> kinds{kinds_of_waves[0]};
+  if (lattice.dimension > 1) kinds.push_back(kinds_of_waves[1]);
+  if (lattice.dimension > 2) kinds.push_back(kinds_of_waves[2]);
+  if (lattice.basis.size() > 1) kinds.push_back(kinds_of_waves[3]);
+  return kinds;
+}
+
 /// "24 to 52, 61 to 600": the neighbour numbers whose waves are all stable.
 std::string stable_numbers(const StabilityRequest& request, const Lattice& lattice) {
   const int D = lattice.dimension;
@@ -62,6 +83,30 @@ std::string stable_numbers(const StabilityRequest& request, const Lattice& latti
                         : fmt::format("{} (of {} to {})", fmt::join(ranges, ", "), first, last);
 }
 
+/// The waves of one direction over wave number (columns) and support radius (rows); their lines go into `csv`.
+Json panel_of(const StabilityRequest& request, const Lattice& lattice, const WaveDirection& direction,
+              std::string& csv) {
+  constexpr int rows = 64, columns = 48;
+  const Range range = supports_of_interest(lattice.dimension);
+  Json panel = {{"direction", direction.name}, {"waves", Json::object()}};
+  for (int i = 0; i < rows; ++i) {
+    const double h = range.from + (i + 0.5) / rows * (range.to - range.from);
+    const Dispersion dispersion(lattice, request.kernel, h, request.gamma);
+    std::map<std::string, Json> row;
+    for (int j = 0; j < columns; ++j) {
+      const double kappa = std::numbers::pi * (j + 0.5) / columns;
+      const WaveModes modes = dispersion.at({kappa * direction.k[0], kappa * direction.k[1], kappa * direction.k[2]});
+      csv += fmt::format("\"{}\",{:.6g},{:.6g},{:.6g}", direction.name, h, lattice_neighbours(h, lattice.dimension),
+                         kappa);
+      for (const WaveKind& kind : kinds_of_waves) csv += fmt::format(",{:.9g}", modes.*kind.value);
+      csv += "\n";
+      for (const WaveKind& kind : kinds_of(lattice)) row[kind.name].push_back(modes.*kind.value);
+    }
+    for (const WaveKind& kind : kinds_of(lattice)) panel["waves"][kind.name].push_back(row[kind.name]);
+  }
+  return panel;
+}
+
 }  // namespace
 
 std::string stability_text(const StabilityRequest& request) {
@@ -72,17 +117,20 @@ std::string stability_text(const StabilityRequest& request) {
       "{} with {:.4g} neighbours, h = {:.4g} spacings, on a {} lattice; gamma {:.4g}\n"
       "smallest omega^2/(k^2 c^2) for kappa up to pi over the spacing (R10 eq 40-43):\n\n",
       request.kernel, lattice_neighbours(h, lattice.dimension), h, lattice.name, request.gamma);
-  const auto add = [&](const std::string& name, const std::string& l, const std::string& t, const std::string& r) {
-    text += fmt::format("  {:<10} {:>13} {:>13}", name, l, t);
-    text += lattice.basis.size() > 1 ? fmt::format(" {:>13}\n", r) : "\n";
-  };
-  const auto cell = [](double value) { return std::isfinite(value) ? fmt::format("{:+.2e}", value) : "-"; };
-  add("direction", "longitudinal", "transverse", "relative");
+  const auto kinds = kinds_of(lattice);
+  text += fmt::format("  {:<10}", "direction");
+  for (const WaveKind& kind : kinds) text += fmt::format(" {:>15}", kind.name);
+  text += "\n";
   const Dispersion dispersion(lattice, request.kernel, h, request.gamma);
   WaveModes least;
   for (const WaveDirection& direction : wave_directions(lattice.dimension)) {
     const WaveModes slowest = slowest_waves(dispersion, direction.k, 400);
-    add(direction.name, cell(slowest.longitudinal), cell(slowest.transverse), cell(slowest.relative));
+    text += fmt::format("  {:<10}", direction.name);
+    for (const WaveKind& kind : kinds) {
+      const double value = slowest.*kind.value;
+      text += fmt::format(" {:>15}", std::isfinite(value) ? fmt::format("{:+.2e}", value) : "-");
+    }
+    text += "\n";
     least = slower(least, slowest);
   }
   return text + fmt::format(
@@ -93,29 +141,14 @@ std::string stability_text(const StabilityRequest& request) {
 }
 
 void write_stability_map(const StabilityRequest& request) {
-  constexpr int rows = 64, columns = 48;
   const Lattice& lattice = find_lattice(request.lattice);
   const Range range = supports_of_interest(lattice.dimension);
   Json panels = Json::array();
-  std::string csv = "direction,h,neighbours,kappa,longitudinal,transverse,relative\n";
-  for (const auto& [name, k] : wave_directions(lattice.dimension)) {
-    Json panel = {{"direction", name}, {"longitudinal", {}}, {"transverse", {}}};
-    for (int i = 0; i < rows; ++i) {
-      const double h = range.from + (i + 0.5) / rows * (range.to - range.from);
-      const Dispersion dispersion(lattice, request.kernel, h, request.gamma);
-      Json longitudinal, transverse;
-      for (int j = 0; j < columns; ++j) {
-        const double kappa = std::numbers::pi * (j + 0.5) / columns;
-        const WaveModes modes = dispersion.at({kappa * k[0], kappa * k[1], kappa * k[2]});
-        csv += fmt::format("\"{}\",{:.6g},{:.6g},{:.6g},{:.9g},{:.9g},{:.9g}\n", name, h,
-                           lattice_neighbours(h, lattice.dimension), kappa, modes.longitudinal, modes.transverse,
-                           modes.relative);
-        longitudinal.push_back(modes.longitudinal), transverse.push_back(modes.transverse);
-      }
-      panel["longitudinal"].push_back(longitudinal), panel["transverse"].push_back(transverse);
-    }
-    panels.push_back(panel);
-  }
+  std::string csv = "direction,h,neighbours,kappa";
+  for (const WaveKind& kind : kinds_of_waves) csv += fmt::format(",{}", kind.column);
+  csv += "\n";
+  for (const WaveDirection& direction : wave_directions(lattice.dimension))
+    panels.push_back(panel_of(request, lattice, direction, csv));
   std::filesystem::create_directories(*request.out);
   write_atomically(*request.out / "stability.csv", csv);
   const std::string title =

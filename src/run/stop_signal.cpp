@@ -53,6 +53,7 @@ void catch_stop_signals() {
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGXCPU}) handle(signal, ask_for_stop);
   if (!is_ignored(SIGHUP)) handle(SIGHUP, ask_for_stop);  // under nohup it is
   handle(SIGUSR2, ask_for_checkpoint);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool stop_requested() {

@@ -48,6 +48,30 @@ double second_derivative(const auto& kernel, double q) {
   return (4 * slope(step) - slope(2 * step)) / 3;
 }
 
+/// The modes of a matrix whose eigenvalues are omega^2/(k^2 c^2), rows by site and component, told apart by how they
+/// move.
+WaveModes modes_of(const Eigen::MatrixXcd& matrix, const Array3& k, int dimension) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> waves(matrix);
+  const auto size = static_cast<int>(matrix.rows()), sites = size / dimension;
+  const bool upwards = k[0] == 0 && k[1] == 0;
+  const Array3 in_plane = upwards ? Array3{0, 1, 0} : Array3{k[1], -k[0], 0};  // across k
+  WaveModes modes;
+  for (int n = 0; n < size; ++n) {  // eigenvalues rise
+    std::array<Complex, 3> sum{};   // of all sites
+    for (int i = 0; i < size; ++i) sum[i % dimension] += waves.eigenvectors()(i, n);
+    const auto share = [&](const Array3& way) {
+      return std::norm(way[0] * sum[0] + way[1] * sum[1] + way[2] * sum[2]) / dot(way, way);
+    };
+    const double all = std::norm(sum[0]) + std::norm(sum[1]) + std::norm(sum[2]), along = share(k);
+    double& mode = all < 0.5 * sites                       ? modes.relative
+                   : along > 0.5 * all                     ? modes.longitudinal
+                   : share(in_plane) > 0.5 * (all - along) ? modes.transverse
+                                                           : modes.transverse_z;
+    if (std::isnan(mode)) mode = waves.eigenvalues()(n);
+  }
+  return modes;
+}
+
 }  // namespace
 
 const std::vector<Lattice>& lattices() {
@@ -73,7 +97,7 @@ const Lattice& find_lattice(const std::string& name) {
 
 WaveModes slower(const WaveModes& a, const WaveModes& b) {
   return {std::fmin(a.longitudinal, b.longitudinal), std::fmin(a.transverse, b.transverse),
-          std::fmin(a.relative, b.relative)};
+          std::fmin(a.transverse_z, b.transverse_z), std::fmin(a.relative, b.relative)};
 }
 
 Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double h, double gamma)
@@ -130,25 +154,7 @@ WaveModes Dispersion::at(const Array3& k) const {
     for (int u = 0; u < sites_; ++u)
       for (int d = 0; d < D; ++d) change(t, D * u + d) = -g(D * t + d, u);
   matrix += (gamma_ - 2) / rho_ * g * change;
-
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> waves(matrix);
-  const double k2 = dot(k, k);
-  WaveModes modes;
-  for (int n = 0; n < size; ++n) {  // eigenvalues rise
-    double together = 0;
-    Complex along = 0;
-    for (int d = 0; d < D; ++d) {
-      Complex sum = 0;
-      for (int s = 0; s < sites_; ++s) sum += waves.eigenvectors()(D * s + d, n);
-      together += std::norm(sum) / sites_;
-      along += k[d] * sum;
-    }
-    double& mode = together < 0.5                                    ? modes.relative
-                   : std::norm(along) > 0.5 * together * sites_ * k2 ? modes.longitudinal
-                                                                     : modes.transverse;
-    if (std::isnan(mode)) mode = waves.eigenvalues()(n) / (rho_ * k2 * gamma_);
-  }
-  return modes;
+  return modes_of(matrix / (rho_ * dot(k, k) * gamma_), k, D);
 }
 
 std::vector<WaveDirection> wave_directions(int dimension) {

@@ -27,11 +27,14 @@ const Lattice& find_lattice(const std::string& name);
 
 /// omega^2 / (k^2 c^2) of the slowest waves in which the particles of a cell move together along k, or across it, and
 /// in which they move against each other: 1 for sound and 0 for what has no restoring force in a continuous medium;
-/// negative where particles run away from the lattice. NaN where there is none.
+/// negative where particles run away from the lattice. NaN where there is none. In 3D there are two waves across k (R10
+/// Figs. 1-3): `transverse` moves as nearly in the x-y plane, `transverse_z` as nearly along z as k lets it.
 struct WaveModes {
-  double longitudinal = std::numeric_limits<double>::quiet_NaN(), transverse = longitudinal, relative = longitudinal;
+  double longitudinal = std::numeric_limits<double>::quiet_NaN(), transverse = longitudinal,
+         transverse_z = longitudinal, relative = longitudinal;
+  double across() const { return std::fmin(transverse, transverse_z); }  ///< the slower one
   /// The least of those that there are.
-  double least() const { return std::fmin(std::fmin(longitudinal, transverse), relative); }
+  double least() const { return std::fmin(std::fmin(longitudinal, across()), relative); }
 };
 /// The slower ones of two sets of waves.
 WaveModes slower(const WaveModes& a, const WaveModes& b);

@@ -1,4 +1,5 @@
 #include "src/study/extreme_table.hpp"
+#include "src/report/print.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -102,13 +103,12 @@ bool make_extremes(const Batch& batch) {
   Table table{{"case", "setup", "required", "found", ""}, {}, {0, 1, 2, 3, 4}};
   std::size_t passes = 0;
   for (const ExtremeCase& one : cases) {
-    fmt::print("{} ...", one.name);
-    std::fflush(stdout);
+    say("{} ...", one.name);
     const std::vector<Outcome> outcomes = perform(one, folder / one.name, batch.threads);
     if (stop_requested()) return false;
     const bool passed = std::ranges::all_of(outcomes, &Outcome::passed);
     passes += passed;
-    fmt::print(" {}\n", passed ? "pass" : "FAIL");
+    say(" {}\n", passed ? "pass" : "FAIL");
     for (const Outcome& outcome : outcomes) {
       const bool first = &outcome == &outcomes.front();
       table.rows.push_back({first ? one.name : "", first ? one.summary : "", outcome.required, outcome.found,
@@ -116,7 +116,7 @@ bool make_extremes(const Batch& batch) {
     }
   }
   const std::string text = table.text();
-  fmt::print("\n{}\n{} of {} cases pass\n", text, passes, cases.size());
+  say("\n{}\n{} of {} cases pass\n", text, passes, cases.size());
   write_atomically(folder / "extremes.txt", text);
   return passes == cases.size();
 }

@@ -10,6 +10,7 @@
 #include "src/report/html.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/plot_script.hpp"
+#include "src/report/print.hpp"
 #include "src/report/quantity.hpp"
 #include "src/run/failure.hpp"
 #include "src/run/plot_items.hpp"
@@ -123,18 +124,17 @@ bool make_gallery(const Batch& batch) {
   catch_stop_signals();
   std::vector<GalleryRun> tiles;
   for (const Scene* scene : wanted) {
-    fmt::print("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), scene->name());
-    std::fflush(stdout);
+    say("[{}/{}] {} ...", tiles.size() + 1, wanted.size(), scene->name());
     tiles.push_back(show(*scene, folder, batch.threads));
     if (stop_requested()) {
-      fmt::print(" stopped\n");
+      say(" stopped\n");
       return false;
     }
-    fmt::print(" {}\n", tiles.back().words());
+    say(" {}\n", tiles.back().words());
   }
   draw(tiles, folder / "gallery.png");
   write_atomically(folder / "index.html", page_of(tiles));
-  fmt::print("{}\n", (folder / "index.html").string());
+  say("{}\n", (folder / "index.html").string());
   return std::ranges::all_of(tiles, [](const GalleryRun& shown) { return shown.failure.empty(); });
 }
 

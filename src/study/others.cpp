@@ -7,11 +7,13 @@
 #include <sstream>
 
 #include "src/engine/errors.hpp"
+#include "src/io/input_file.hpp"
 #include "src/report/csv.hpp"
 
 namespace sphk {
 
 std::vector<OtherPoint> read_others(const std::filesystem::path& path) {
+  require_file(path);
   const CsvTable table = read_csv(path);
   const std::string first_line = "the first line is: engine,setting,error,cpu_seconds,machine";
   if (table.columns.empty()) throw InputError(fmt::format("{} holds no table; {}", path.string(), first_line));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "src/report/quantity.hpp"
 
@@ -17,6 +18,15 @@ std::vector<StudyResult> worth_their_cost(const std::vector<StudyResult>& result
   std::ranges::copy_if(results, std::back_inserter(runs),
                        [&](const StudyResult& r) { return on_front(r, results) && r.error > 0 && r.cpu > 0; });
   std::ranges::sort(runs, {}, &StudyResult::cpu);
+  return runs;
+}
+
+/// Results with an error and a resolution, the coarsest first.
+std::vector<StudyResult> by_resolution(const std::vector<StudyResult>& results) {
+  std::vector<StudyResult> runs;
+  std::ranges::copy_if(results, std::back_inserter(runs),
+                       [](const StudyResult& r) { return r.valid() && r.error > 0 && r.n > 0; });
+  std::ranges::sort(runs, {}, &StudyResult::n);
   return runs;
 }
 
@@ -35,16 +45,41 @@ bool is_field_error(const std::string& norm) {
   return norm == "v" || norm == "rho" || norm == "P" || norm.ends_with("_particles");
 }
 
-std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
+std::optional<double> fitted_order(const std::vector<StudyResult>& of_one_method) {
+  const std::vector<StudyResult> results = by_resolution(of_one_method);
+  const auto falls = [](const StudyResult& coarse, const StudyResult& fine) { return fine.error < coarse.error; };
+  if (std::ranges::adjacent_find(results, std::not_fn(falls)) != results.end()) return std::nullopt;
   double count = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const StudyResult& r : results) {
-    if (!r.valid() || !(r.error > 0) || !(r.n > 0)) continue;
     const double a = std::log(r.n), b = std::log(r.error);
     count += 1, x += a, y += b, xx += a * a, xy += a * b;
   }
   const double spread = count * xx - x * x;
   if (count < 2 || !(spread > 1e-12)) return std::nullopt;
   return -(count * xy - x * y) / spread;
+}
+
+std::vector<CostRatio> cost_ratios(const std::vector<StudyResult>& results) {
+  const auto groups = by_method(results);
+  const auto at = [](const std::vector<StudyResult>& group, double n) {
+    return std::ranges::find_if(group, [n](const StudyResult& r) { return r.n == n && r.cpu > 0 && r.updates > 0; });
+  };
+  const StudyResult* reference = nullptr;
+  std::ptrdiff_t most = 1;
+  for (const StudyResult& r : groups.empty() ? std::vector<StudyResult>{} : by_resolution(groups[0])) {
+    const auto there = std::ranges::count_if(groups, [&](const auto& group) { return at(group, r.n) != group.end(); });
+    if (there > 1 && there >= most) most = there, reference = &*at(groups[0], r.n);
+  }
+  std::vector<CostRatio> ratios;
+  if (!reference) return ratios;
+  for (const auto& group : groups)
+    if (const auto r = at(group, reference->n); r != group.end())
+      ratios.push_back({.method = r->point.method(),
+                        .n = r->n,
+                        .microseconds = 1e6 * r->cpu / r->updates,
+                        .update = r->cpu / r->updates / (reference->cpu / reference->updates),
+                        .run = r->cpu / reference->cpu});
+  return ratios;
 }
 
 TimeToTarget time_to_target(const std::vector<StudyResult>& results, double target) {
@@ -142,8 +177,18 @@ Table study_table(const std::vector<StudyResult>& results, const std::string& no
 Table order_table(const std::vector<StudyResult>& results) {
   Table table{{"method", "order of convergence in n"}, {}};
   for (const auto& group : by_method(results))
-    if (const auto order = fitted_order(group))
-      table.rows.push_back({group[0].point.method(), fmt::format("{:.2f}", *order)});
+    if (by_resolution(group).size() > 1) {
+      const auto order = fitted_order(group);
+      table.rows.push_back({group[0].point.method(), order ? fmt::format("{:.2f}", *order) : "its errors do not fall"});
+    }
+  return table;
+}
+
+Table cost_table(const std::vector<StudyResult>& results) {
+  Table table{{"method", "n", "CPU us/update", "over the first", "whole run over the first"}, {}};
+  for (const CostRatio& r : cost_ratios(results))
+    table.rows.push_back({r.method, fmt::format("{:g}", r.n), fmt::format("{:.3g}", r.microseconds),
+                          fmt::format("{:.2f}", r.update), fmt::format("{:.2f}", r.run)});
   return table;
 }
 

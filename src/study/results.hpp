@@ -30,7 +30,8 @@ bool any_joules(const std::vector<StudyResult>& results);
 /// Is this norm the error of a field, against an exact solution? Others are distances from converged runs.
 bool is_field_error(const std::string& norm);
 
-/// Fitted order of convergence of one method: - d ln(error) / d ln(n) by least squares; nothing below two points.
+/// Fitted order of convergence of one method: - d ln(error) / d ln(n) by least squares; nothing below two points, nor
+/// where an error is not below that of the next coarser run.
 std::optional<double> fitted_order(const std::vector<StudyResult>& of_one_method);
 
 /// CPU seconds at which a method reaches an error, and how that is known.
@@ -57,6 +58,18 @@ std::optional<Expectation> error_within(const std::vector<StudyResult>& of_one_m
 /// those with the dearest runs: extrapolations flatter.
 std::optional<Expectation> best_within(const std::vector<StudyResult>& results, double cpu);
 
+/// CPU time of a method beside that of another.
+struct CostRatio {
+  std::string method;
+  double n = 0;             ///< the resolution of both runs
+  double microseconds = 0;  ///< CPU time of an update
+  double update = 1;        ///< over that of the reference
+  double run = 1;           ///< the whole time loop over that of the reference
+};
+/// Each method beside the first one, as S12 Fig. 11, at the largest resolution that most methods have in common with
+/// it. Empty below two methods.
+std::vector<CostRatio> cost_ratios(const std::vector<StudyResult>& results);
+
 /// Results without failure, by method, in the order of first appearance; each by rising cost.
 std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& results);
 
@@ -65,8 +78,10 @@ bool on_front(const StudyResult& result, const std::vector<StudyResult>& results
 
 /// All results by rising cost, a star at those on the front; failures at the end.
 Table study_table(const std::vector<StudyResult>& results, const std::string& norm);
-/// Fitted orders of the methods.
+/// Fitted orders of the methods with several resolutions.
 Table order_table(const std::vector<StudyResult>& results);
+/// What an update of each method costs beside one of the first.
+Table cost_table(const std::vector<StudyResult>& results);
 /// When each method reaches the target.
 Table target_table(const std::vector<StudyResult>& results, double target);
 /// What is best for so many CPU seconds.

@@ -8,6 +8,7 @@
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/machine.hpp"
+#include "src/report/print.hpp"
 #include "src/report/process.hpp"
 #include "src/report/quantity.hpp"
 #include "src/run/failure.hpp"
@@ -121,10 +122,9 @@ class Study {
       expected_[point.name()] = plan_.repeat * trial(point);
       expected += expected_[point.name()];
     }
-    fmt::print("{} points of {}, {} of them to run, {} in {}{}\n", plan_.points.size(), plan_.scene, expected_.size(),
-               plan_.repeat == 1 ? "once each" : fmt::format("{} times each", plan_.repeat), folder_.string(),
-               expected_.empty() ? "" : "; about " + duration_text(expected));
-    std::fflush(stdout);
+    say("{} points of {}, {} of them to run, {} in {}{}\n", plan_.points.size(), plan_.scene, expected_.size(),
+        plan_.repeat == 1 ? "once each" : fmt::format("{} times each", plan_.repeat), folder_.string(),
+        expected_.empty() ? "" : "; about " + duration_text(expected));
   }
 
   /// Runs what is not in the record, until so many seconds are over or a stop is asked for.
@@ -135,14 +135,14 @@ class Study {
       const StudyPoint& point = plan_.points[k];
       if (record_.has(point)) continue;
       if (max_seconds > 0 && watch.wall() > max_seconds) {
-        fmt::print("--max-time {:g} s is over: the same command goes on with the rest\n", max_seconds);
+        say("--max-time {:g} s is over: the same command goes on with the rest\n", max_seconds);
         return;
       }
       progress.begin(k, point);
       run_point(point, progress);
       if (!record_.has(point)) {
         progress.end("stopped");
-        fmt::print("stopped; the same command goes on where it was\n");
+        say("stopped; the same command goes on where it was\n");
         return;
       }
       const StudyResult result = record_.result(point, plan_.norm);
@@ -156,14 +156,16 @@ class Study {
     const std::vector<StudyResult> results = this->results();
     const std::vector<OtherPoint> others = plan_.others.empty() ? std::vector<OtherPoint>{} : read_others(plan_.others);
     const StudyAnswers answers = answers_of(plan_, results, others);
-    fmt::print("\n{}", answers.text());
+    say("\n{}", answers.text());
     record_.json["front"] = names_on_front(results);
     record_.save();
     write_table(folder_ / "study.csv", results);
-    draw_study(folder_ / "study.png", plan_, record_.json["machine"], results, others);
+    const std::string machine = record_.json["machine"];
+    draw_study(folder_ / "study.png", plan_, machine, results, others);
+    draw_speed(folder_ / "speed.png", plan_, machine, results);
     if (report) {
-      write_atomically(*report, report_page(plan_, answers, record_, folder_ / "study.png"));
-      fmt::print("{}\n", report->string());
+      write_atomically(*report, report_page(plan_, answers, record_, figures(results)));
+      say("{}\n", report->string());
     }
   }
 
@@ -214,6 +216,16 @@ class Study {
     record_.json["points"][point.name()] = {
         {"keys", keys}, {"failure", failure}, {"spent_seconds", spent}, {"runs", runs}};
     record_.save();
+  }
+
+  /// Those that this study has drawn now: a folder may hold older ones.
+  std::vector<StudyFigure> figures(const std::vector<StudyResult>& results) const {
+    std::vector<StudyFigure> drawn{{folder_ / "study.png",
+                                    "Error against CPU seconds, against resolution and against pair interactions, and "
+                                    "the drift of the energy."}};
+    if (!cost_ratios(results).empty())
+      drawn.push_back({folder_ / "speed.png", "CPU time of each method over that of the first, at one resolution."});
+    return drawn;
   }
 
   std::vector<StudyResult> results() const {

@@ -1,4 +1,5 @@
 #include "src/study/study_progress.hpp"
+#include "src/report/print.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -32,17 +33,15 @@ void StudyProgress::begin(std::size_t index, const StudyPoint& point) {
 
 void StudyProgress::show(double share) {
   if (!terminal_) return;
-  fmt::print("\r\033[K{}: {:.0f} %, study about {} left", label_, 100 * share, duration_text(seconds_left(share)));
-  std::fflush(stdout);
+  say("\r\033[K{}: {:.0f} %, study about {} left", label_, 100 * share, duration_text(seconds_left(share)));
 }
 
 void StudyProgress::end(const std::string& result) {
   before_ += now_;
   now_ = 0;
   const double left = seconds_left(0);
-  fmt::print("{}{}: {}, {}{}\n", terminal_ ? "\r\033[K" : "", label_, result, duration_text(current_.wall()),
-             before_ < total_ ? fmt::format(", study about {} left", duration_text(std::max(left, 0.0))) : "");
-  std::fflush(stdout);
+  say("{}{}: {}, {}{}\n", terminal_ ? "\r\033[K" : "", label_, result, duration_text(current_.wall()),
+      before_ < total_ ? fmt::format(", study about {} left", duration_text(std::max(left, 0.0))) : "");
 }
 
 }  // namespace sphk

@@ -88,6 +88,7 @@ StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& r
                                r.failure.substr(0, r.failure.find('\n'))});
   add("Failures", failures);
   add("Convergence", order_table(results));
+  add("Speed", cost_table(results));
   return answers;
 }
 
@@ -133,21 +134,31 @@ void draw_study(const std::filesystem::path& path, const StudyPlan& plan, const 
        path.string()}}.dump());
 }
 
+void draw_speed(const std::filesystem::path& path, const StudyPlan& plan, const std::string& machine,
+                const std::vector<StudyResult>& results) {
+  Json bars = Json::array();
+  for (const CostRatio& r : cost_ratios(results))
+    bars.push_back({{"method", r.method}, {"n", r.n}, {"update", r.update}, {"run", r.run}});
+  if (bars.empty()) return;
+  run_plot_script(Json{
+      {"speed", bars},
+      {"title", fmt::format("{}, n = {:g}, on {}", plan.scene, bars[0]["n"].get<double>(), machine)},
+      {"out",
+       path.string()}}.dump());
+}
+
 std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
-                        const std::filesystem::path& figure) {
+                        const std::vector<StudyFigure>& figures) {
   const auto text = [&](const char* key) { return html_text(record.json[key].get<std::string>()); };
   const std::string title = fmt::format("Error against run time: {}", plan.name.empty() ? plan.scene : plan.name);
   std::string body = fmt::format("<h1>{}</h1>\n", html_text(title));
   if (!plan.summary.empty()) body += fmt::format("<p>{}</p>\n", html_text(plan.summary));
   body += fmt::format("<p class=\"meta\">{} &middot; sphk {} ({}) &middot; {}</p>\n", text("machine"), text("version"),
                       text("git_revision"), text("compiler"));
-  if (std::filesystem::exists(figure))
-    body += fmt::format(
-        "<figure>{}<figcaption>Error against CPU seconds, resolution and pair interactions, and the drift "
-        "of the energy.</figcaption></figure>\n",
-        html_image(figure,
-                   "Four panels: error against CPU seconds, against resolution, against pair "
-                   "interactions, and the drift of the energy"));
+  for (const auto& [file, caption] : figures)
+    if (std::filesystem::exists(file))
+      body += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", html_image(file, caption),
+                          html_text(caption));
   for (const StudyAnswers::Part& part : answers.parts) {
     body += fmt::format("<h2>{}</h2>\n<div class=\"wide\">{}</div>\n", html_text(part.title), part.table.html());
     if (!part.note.empty()) body += fmt::format("<p class=\"meta\">{}</p>\n", html_text(part.note));

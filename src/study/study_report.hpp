@@ -32,8 +32,18 @@ void write_table(const std::filesystem::path& path, const std::vector<StudyResul
 void draw_study(const std::filesystem::path& path, const StudyPlan& plan, const std::string& machine,
                 const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others);
 
-/// One self-contained HTML page with everything about a study.
+/// speed.png: what an update costs, beside the first method; nothing below two methods.
+void draw_speed(const std::filesystem::path& path, const StudyPlan& plan, const std::string& machine,
+                const std::vector<StudyResult>& results);
+
+/// A picture of the page and what it shows.
+struct StudyFigure {
+  std::filesystem::path file;
+  std::string caption;
+};
+
+/// One self-contained HTML page with everything about a study; figures that are not there are left out.
 std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
-                        const std::filesystem::path& figure);
+                        const std::vector<StudyFigure>& figures);
 
 }  // namespace sphk

@@ -54,7 +54,9 @@ class Page(HTMLParser):
         self.words.append(data)
 
 
-class Figures(unittest.TestCase):
+class WithRun(unittest.TestCase):
+    """A folder with a small run."""
+
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
@@ -72,6 +74,16 @@ class Figures(unittest.TestCase):
         assert done.returncode == code, done.stdout
         return done.stdout
 
+    def rows(self, name):
+        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def write(self, name, text):
+        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+
+class Figures(WithRun):
     def test_a_run_gives_profiles_a_map_and_a_history(self):
         names = self.sphk("plot", "run").split()
         self.assertEqual([os.path.basename(n) for n in names], ["snap_0001.png", "snap_0001_map.png", "history.png"])
@@ -186,14 +198,6 @@ class Figures(unittest.TestCase):
         self.assertIn("gadget2", self.sphk("study", "sod", "--scheme", "gadget", "--out", "bad", code=2))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "bad")), "nothing runs where a name is wrong")
 
-    def rows(self, name):
-        with open(os.path.join(self.folder, name), encoding="utf-8") as file:
-            return list(csv.DictReader(file))
-
-    def write(self, name, text):
-        with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
-
     def test_a_study_file_gives_a_report_with_failures_and_other_engines(self):
         self.write("mine.toml", 'scene = "sod"\ntarget = 0.5\nbudgets = [10]\nothers = "peers.csv"\nrepeat = 2\n'
                                 "[set]\nscene.dimension = 1\n[vary]\nscene.n = [8, 16]\n"
@@ -203,6 +207,7 @@ class Figures(unittest.TestCase):
         text = self.sphk("study", "mine.toml", "--report", "report.html")
         self.assertIn("4 points of sod, 4 of them to run, 2 times each in mine", text)
         self.assertRegex(text, r"SWIFT, classic <48> +0.4 +1e\+06 +below 0\.0")
+        self.assertNotIn("Speed", text, "one method alone")
         rows = self.rows("mine/study.csv")
         self.assertEqual([row["failure"] != "" for row in rows], [False, False, True, True])
         with open(os.path.join(self.folder, "mine", "study.json"), encoding="utf-8") as file:
@@ -276,6 +281,7 @@ class Figures(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 2 * 64 * 48)
         self.assertTrue(any(float(row["transverse"]) < -0.01 for row in rows))
+        self.assertTrue(all(row["transverse_z"] == "nan" for row in rows), "a square lattice has one wave across k")
         self.assertIn("cubical", self.sphk("stability", "--kernel", "cs", "--neighbours", "32", "--lattice", "cubical",
                                            code=2))
 
@@ -303,4 +309,5 @@ class Figures(unittest.TestCase):
         self.assertIn("apt-get install python3-matplotlib python3-h5py", text)
 
 
-unittest.main()
+if __name__ == "__main__":
+    unittest.main()

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "tests/temporary_folder.hpp"
 
@@ -39,6 +40,20 @@ TEST(Process, StopsWhenItIsAskedTo) {
 
 TEST(Process, KnowsItsOwnFile) {
   EXPECT_EQ(this_executable().filename(), "report");
+}
+
+/// A shell makes the words again of what is told, whatever is in them; printf ends each with a zero byte.
+TEST(Process, TellsWordsAsAShellTakesThem) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "words";
+  const std::vector<std::string> words{"plain", "", "two words", "it's", "$HOME;`ls`", "a\"b\\", "*", "n=16"};
+  EXPECT_EQ(Process({"sh", "-c", "printf '%s\\0' " + shell_text(words)}, {.output = out}).wait(), 0);
+  std::ifstream told(out);
+  std::vector<std::string> again;
+  for (std::string word; std::getline(told, word, '\0');) again.push_back(word);
+  EXPECT_EQ(again, words);
+  EXPECT_NE(command_of_this_process().find(this_executable().filename().string()), std::string::npos);
+  EXPECT_FALSE(host_name().empty());
 }
 
 }  // namespace

@@ -61,6 +61,11 @@ TEST(RunJson, HasEveryKeyOfTheContract) {
                           "version",
                           "git_revision",
                           "compiler",
+                          "compiler_flags",
+                          "kokkos",
+                          "command",
+                          "host",
+                          "date",
                           "machine"})
     EXPECT_TRUE(json.contains(key)) << key;
   for (const char* key : {"energy", "momentum", "angular_momentum", "mass"})

@@ -26,6 +26,38 @@ TEST(StudyResults, OrderIsTheSlope) {
   EXPECT_NEAR(*fitted_order(results), 1.5, 1e-12);
 }
 
+// A slope through errors that rise somewhere says nothing of convergence.
+TEST(StudyResults, ErrorsThatDoNotFallHaveNoOrder) {
+  const std::vector<StudyResult> falls{result("a", 32, 0.2, 3), result("a", 8, 0.4, 1), result("a", 16, 0.3, 2)};
+  EXPECT_TRUE(fitted_order(falls));
+  std::vector<StudyResult> rises = falls;
+  rises[0].error = 0.31;  // still below that of the coarsest run
+  EXPECT_FALSE(fitted_order(rises));
+  rises[0].error = 0.3;
+  EXPECT_FALSE(fitted_order(rises));
+  EXPECT_EQ(order_table(rises).rows.at(0).at(1), "its errors do not fall");
+  EXPECT_TRUE(order_table({falls[0]}).rows.empty()) << "one resolution";
+}
+
+// 1000 updates in 2 s, 500 in 3 s: 2 ms and 6 ms an update, three times as much, in one and a half times the time.
+TEST(StudyResults, CostsAreThoseBesideTheFirstMethodAtOneResolution) {
+  std::vector<StudyResult> results{result("first", 8, 0.4, 0.1), result("first", 16, 0.3, 2),
+                                   result("other", 16, 0.2, 3), result("third", 8, 0.2, 1), result("broken", 16, 0, 0)};
+  for (StudyResult& r : results) r.updates = 1000;
+  results[2].updates = 500;
+  results[4].failure = "it broke";
+  const std::vector<CostRatio> ratios = cost_ratios(results);
+  ASSERT_EQ(ratios.size(), 2u) << "the third method has no run of the largest common resolution";
+  EXPECT_EQ(ratios[0].method, "first");
+  EXPECT_EQ(ratios[0].update, 1);
+  EXPECT_EQ(ratios[1].method, "other");
+  EXPECT_EQ(ratios[1].n, 16);
+  EXPECT_NEAR(ratios[1].microseconds, 6000, 1e-9);
+  EXPECT_NEAR(ratios[1].update, 3, 1e-12);
+  EXPECT_NEAR(ratios[1].run, 1.5, 1e-12);
+  EXPECT_TRUE(cost_ratios({results[0], results[1]}).empty()) << "nothing to compare with";
+}
+
 // Errors 0.4 and 0.1 at 1 s and 16 s: 0.2 lies half-way in both logarithms, at 4 s.
 TEST(StudyResults, TimeToTargetIsInterpolatedInLogarithms) {
   const std::vector<StudyResult> runs{result("a", 2, 0.1, 16), result("a", 1, 0.4, 1)};

@@ -1,16 +1,16 @@
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
-from density_map import draw_image, images_of
+from field_map import draw_image, images_of
 from profiles import draw_field
 from snapshot import Snapshot
-from style import label_of, panels_of, plt, save
+from style import field_label, panels_of, plt, save
 
 COLUMNS = 5
 
 
 def draw_map(axes, snapshot):
-    [frame], [image], norm = images_of([snapshot])
-    draw_image(axes, image, norm, *frame)
+    [frame], [image], colours = images_of([snapshot])
+    draw_image(axes, image, colours, *frame)
     axes.set(xticks=[], yticks=[])
     for side in axes.spines.values():
         side.set_visible(False)
@@ -20,8 +20,8 @@ def draw_profile(axes, snapshot, name):
     draw_field(axes, snapshot, name, point=2.5, mean=3.5, edge=1, line=1.6)
     axes.locator_params(nbins=4)
     axes.tick_params(labelsize=9)
-    axes.set_xlabel(label_of(snapshot.item, snapshot.item["abscissa"]), fontsize=10, labelpad=1)
-    axes.set_ylabel(label_of(snapshot.item, name), fontsize=10, labelpad=1)
+    axes.set_xlabel(field_label(snapshot.item, snapshot.item["abscissa"]), fontsize=10, labelpad=1)
+    axes.set_ylabel(field_label(snapshot.item, name), fontsize=10, labelpad=1)
 
 
 def draw_tile(axes, item):

@@ -3,7 +3,7 @@
 import csv
 
 import numpy as np
-from style import LINES, MARKERS, panels_of, plt, save, with_unit
+from style import LINES, MARKERS, panels_of, plain_ticks, plt, save, with_unit
 
 DRIFTS = {
     "energy_drift": "energy",
@@ -12,6 +12,7 @@ DRIFTS = {
     "mass_drift": "mass",
 }
 SYMBOLS = {"v": "$v$", "rho": r"$\rho$", "P": "$P$"}
+PERCENT = 0.01
 ENERGIES = {"total_energy": "total", "kinetic_energy": "kinetic", "thermal_energy": "thermal"}
 
 MEASURES = {
@@ -22,6 +23,15 @@ MEASURES = {
     "cloud_mass": "mass that is still cloud",
     "cloud_velocity": "$v_x$ of the cloud's gas",
     "peak_density": r"largest density $\rho$",
+    "E0_mean": "mean $|E_0|$",
+    "E0_95": "$|E_0|$: 95 % have less",
+    "E0_max": "largest $|E_0|$",
+    "E0_boundary": "mean $|E_0|$ where fluids meet",
+    "E0_bulk": "mean $|E_0|$ elsewhere",
+    "R_error": "mean $|R - 1|$",
+    "V_error": "mean $|V - 1|$",
+    "nearest_mean": "nearest neighbour, spacings",
+    "nearest_5": "nearest neighbour: 5 % are closer",
 }
 GROWING = {"M"}  # exponentially: drawn on a logarithmic axis
 
@@ -52,30 +62,43 @@ def measures_of(history):
     return [name for name in own if not name.startswith("l1_") and np.isfinite(history[name]).any()]
 
 
-def draw_lines(axes, history, names, first=0, floor=-np.inf):
-    """One line a column, from row `first` on; values below `floor` sit on it: zeros on a logarithmic axis."""
+def draw_lines(axes, history, names, first=0):
+    """One line a column, from row `first` on."""
     for k, (name, label) in enumerate(names.items()):
-        values = np.maximum(history[name][first:], floor)
-        axes.plot(history["time"][first:], values, "-", marker=MARKERS[k % len(MARKERS)], ms=4, lw=1.6,
+        axes.plot(history["time"][first:], history[name][first:], "-", marker=MARKERS[k % len(MARKERS)], ms=4, lw=1.6,
                   color=LINES[k % len(LINES)], label=label)
     axes.locator_params(axis="x", nbins=5)
     axes.set_xlabel(r"time $t$")
     if len(names) > 1:
-        axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2 if len(names) % 3 else 3,
-                    columnspacing=1.2, handlelength=1.6)
+        axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncol=2,
+                    columnspacing=1.0, handlelength=1.4, fontsize=10.5)
+
+
+def scale_drifts(axes, drifts):
+    """A logarithmic axis for these arrays, which ends where they end, not at what is exactly 0."""
+    seen = np.concatenate([drift[drift > 0] for drift in drifts] + [np.empty(0)])
+    axes.set_yscale("log", nonpositive="mask")
+    if len(seen):
+        axes.set_ylim(0.5 * seen.min(), 2 * max(seen.max(), PERCENT))
+    else:
+        axes.set(yticks=[], ylim=(1, 2))
+        axes.annotate("no drift at all", (0.5, 0.5), xycoords="axes fraction", ha="center", color="#555555")
 
 
 def draw_drifts(axes, history):
     """How well the run conserves, as S12 fig. 10."""
-    drifts = {name: label for name, label in DRIFTS.items() if name in history}
-    draw_lines(axes, history, drifts, first=1, floor=1e-17)
-    axes.set_yscale("log")
+    drifts = {name: label + ("" if (history[name][1:] > 0).any() else ": 0") for name, label in DRIFTS.items()
+              if name in history}
+    draw_lines(axes, history, drifts, first=1)
+    scale_drifts(axes, [history[name][1:] for name in drifts])
     axes.set_ylabel("relative drift since the start")
 
 
 def draw_energies(axes, history):
-    draw_lines(axes, history, ENERGIES)
-    axes.set_ylabel("energy")
+    """What each energy gains or loses: beside a large thermal energy the kinetic one would be a line at 0."""
+    gains = {"time": history["time"]} | {name: history[name] - history[name][0] for name in ENERGIES}
+    draw_lines(axes, gains, {name: f"{label}, from {history[name][0]:.3g}" for name, label in ENERGIES.items()})
+    axes.set_ylabel("change of the energy")
 
 
 def draw_errors(axes, history):
@@ -101,25 +124,27 @@ def draw_measure(axes, history, name, references):
     axes.set_ylabel(MEASURES.get(name, name.replace("_", " ")))
     if name in GROWING and (history[name] > 0).all():
         axes.set_yscale("log")
+        plain_ticks(axes.yaxis, *axes.get_ylim())
 
 
 def draw_conservation(runs, path):
     """The drifts of several runs, each over its own length, as S12 fig. 10."""
     figure, grid = plt.subplots(2, 2, figsize=(11.2, 8.4), sharex=True, constrained_layout=True)
+    histories = [read_history(run["history"]) for run in runs]
     for axes, (name, label) in zip(grid.flat, DRIFTS.items()):
-        for k, run in enumerate(runs):
-            history = read_history(run["history"])
+        drifts = []
+        for k, history in enumerate(histories):
             if name not in history or len(history["time"]) < 2:
                 continue
-            time, drift = history["time"], history[name]
-            since_start = (time[1:] - time[0]) / (time[-1] - time[0])
-            axes.plot(since_start, np.maximum(drift[1:], 1e-17), "-", marker=MARKERS[k % len(MARKERS)], ms=4, lw=1.6,
-                      color=LINES[k % len(LINES)], label=run["title"])
-        axes.axhline(0.01, color="#555555", lw=1, ls=":")
-        axes.annotate("1 %", (0.99, 0.008), xycoords=axes.get_yaxis_transform(), color="#555555", fontsize=11,
-                      ha="right", va="top")
-        axes.set_yscale("log")
-        axes.set_ylim(bottom=1e-17, top=1)
+            time = history["time"]
+            drifts.append(history[name][1:])
+            axes.plot((time[1:] - time[0]) / (time[-1] - time[0]), drifts[-1], "-", marker=MARKERS[k % len(MARKERS)],
+                      ms=4, lw=1.6, color=LINES[k % len(LINES)], label=runs[k]["title"])
+        scale_drifts(axes, drifts)
+        if any((drift > 0).any() for drift in drifts):
+            axes.axhline(PERCENT, color="#555555", lw=1, ls=":")
+            axes.annotate("1 %", (1.01, PERCENT), xycoords=axes.get_yaxis_transform(), color="#555555", fontsize=11,
+                          va="center")
         axes.set_ylabel("relative drift of " + label)
     for axes in grid[-1]:
         axes.set_xlabel("time over the run's length")
@@ -139,7 +164,7 @@ def draw_history(history, references, run, path):
     for axes, draw in zip(grid, panels):
         draw(axes, history)
         axes.set_xlabel(with_unit(axes.get_xlabel(), run, "t"))
-    grid[panels.index(draw_energies)].set_ylabel(with_unit("energy", run, "energy"))
+    grid[panels.index(draw_energies)].set_ylabel(with_unit("change of the energy", run, "energy"))
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.12)
     figure.suptitle(run["title"], fontsize=15)
     save(figure, path)

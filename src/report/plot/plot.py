@@ -19,15 +19,15 @@ try:
 except ImportError:
     sys.exit(MISSING_PACKAGE)
 
-from density_map import draw_density_maps
 from errors import draw_errors
+from field_map import draw_field_maps, draw_frames
 from gallery import draw_gallery
 from history import draw_conservation, draw_history, errors_at, read_history
 from kernels import draw_kernels
-from profiles import draw_one_field, draw_profiles
+from profiles import draw_one_field, draw_profiles, shared_limits
 from snapshot import Snapshot
 from stability import draw_stability
-from study import draw_study
+from study import draw_speed, draw_study
 
 
 def has_map(item):
@@ -35,33 +35,43 @@ def has_map(item):
     return item["dimension"] == 2 or (item["dimension"] == 3 and (item["map"] or item["abscissa"] in ("R", "r")))
 
 
+def map_path(item):
+    """Of the map beside a figure of profiles."""
+    name, ending = os.path.splitext(item["out"])
+    return name + "_map" + ending
+
+
 def draw_one_field_of(work):
     name, items = work["field"], work["profiles"]
     errors = [errors_at(read_history(item["history"]), item["time"]).get(name) if item["history"] else None
               for item in items]
-    draw_one_field([Snapshot(item) for item in items], errors, name, work["out"])
+    draw_one_field([Snapshot(item) for item in items], errors, name, work["view"], work["out"])
 
 
 def draw_run(work):
-    history = read_history(work["history"]) if work["history"] else {}
-    for item in work["snapshots"]:
-        snapshot = Snapshot(item)
-        draw_profiles(snapshot, errors_at(history, item["time"]), item["out"])
-        if has_map(item):
-            draw_density_maps([snapshot], item["out"][: -len(".png")] + "_map.png")
+    """Snapshots of one run on one scale; one of them is held at a time."""
+    history, items = read_history(work["history"]) if work["history"] else {}, work["snapshots"]
+    shared = shared_limits(Snapshot(item) for item in items)
+    for item in items:
+        draw_profiles(Snapshot(item), errors_at(history, item["time"]), shared, item["out"])
+    views = {"rho": None} | ({"alpha": None} if items[-1]["map"] else {})  # S12 Fig. 8
+    draw_frames([item for item in items if has_map(item)], views, map_path)
     if work.get("history_out") and len(history.get("time", [])) > 1:
-        draw_history(history, work["references"], work["snapshots"][-1], work["history_out"])
+        draw_history(history, work["references"], items[-1], work["history_out"])
 
 
 FIGURES = {  # by the key that only the work order of such a figure has
     "stability": draw_stability,
     "conservation": lambda work: draw_conservation(work["conservation"], work["out"]),
     "study": draw_study,
+    "speed": draw_speed,
     "gallery": lambda work: draw_gallery(work["gallery"], work["out"]),
     "kernels": lambda work: draw_kernels(work["kernels"], work["out"]),
     "errors": lambda work: draw_errors([Snapshot(item) for item in work["errors"]], work["out"]),
     "profiles": draw_one_field_of,
-    "beside": lambda work: draw_density_maps([Snapshot(item) for item in work["beside"]], work["out"]),
+    "maps": lambda work: draw_field_maps([Snapshot(item) for item in work["maps"]], work["field"], work["view"],
+                                         work["out"]),
+    "frames": lambda work: draw_frames(work["frames"], {work["field"]: work["view"]}, lambda item: item["out"]),
 }
 
 work = json.load(sys.stdin)

@@ -1,26 +1,34 @@
-"""What the figures need of a snapshot: positions, the gas fields, and coordinates along the scene's abscissa."""
+"""What the figures need of a snapshot: positions, any of its fields by name, and coordinates along the scene's abscissa."""
 
 import h5py
 import numpy as np
 
-DATASETS = {"rho": "Densities", "P": "Pressures", "u": "InternalEnergies", "A": "Entropies", "m": "Masses"}
+AXES = "xyz"
+MATRIX = ("xx", "yy", "zz", "xy", "xz", "yz")
 
 
 class Snapshot:
-    """Gas of one file. `item` is the work order of the command line: dimension, box, abscissa, centre and
-    its velocity, ..."""
+    """Gas of one file. `item` is the work order of the command line: dimension, box, abscissa, centre and its velocity,
+    the dataset and part that every name stands for, ..."""
 
     def __init__(self, item):
         self.item = item
-        with h5py.File(item["file"], "r") as file:
-            gas = file["PartType0"]
-            points = file["VTKHDF/Points"] if "VTKHDF/Points" in file else gas["Coordinates"]  # not moved for readers
-            self.x = points[...].astype(float)
-            self.x[:, item["dimension"]:] = 0
-            self.velocity = gas["Velocities"][...].astype(float) - np.array(item["velocity"])
-            self.E0 = gas["E0"][...].astype(float) if "E0" in gas else None
-            self.nearest = gas["NearestNeighbour"][...].astype(float) if "NearestNeighbour" in gas else None
-            self.fields = {name: gas[key][...] for name, key in DATASETS.items() if key in gas}
+        self.datasets = {}
+        self.x = self.places()
+
+    def dataset(self, name):
+        if name not in self.datasets:
+            with h5py.File(self.item["file"], "r") as file:
+                self.datasets[name] = file["PartType0"][name][...].astype(float)
+        return self.datasets[name]
+
+    def places(self):
+        """The particles' own places: where a file has moved them for readers, VTK's points are not."""
+        with h5py.File(self.item["file"], "r") as file:
+            points = file["VTKHDF/Points"] if "VTKHDF/Points" in file else file["PartType0/Coordinates"]
+            x = points[...].astype(float)
+        x[:, self.item["dimension"]:] = 0
+        return x
 
     def offset(self):
         """Vectors from the centre, by the nearest image along periodic axes."""
@@ -33,21 +41,34 @@ class Snapshot:
 
     def abscissa(self):
         """x, y, the distance from the centre's z axis (R) or from the centre (r) of every particle."""
-        if self.item["abscissa"] in ("x", "y"):
-            return self.x[:, "xy".index(self.item["abscissa"])]
+        if self.item["abscissa"] in AXES:
+            return self.x[:, AXES.index(self.item["abscissa"])]
         d = self.offset()
         return np.sqrt((d[:, :2] ** 2).sum(1) if self.item["abscissa"] == "R" else (d**2).sum(1))
 
-    def value(self, name):
-        """A field by its short name; v is v_x along x and y, azimuthal along R and radial along r."""
-        if name in self.fields:
-            return self.fields[name]
-        if self.item["abscissa"] in ("x", "y"):
-            return self.velocity[:, 0]
-        d, v = self.offset(), self.velocity
-        if self.item["abscissa"] == "R":
-            return (d[:, 0] * v[:, 1] - d[:, 1] * v[:, 0]) / np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-300)
-        return (d * v).sum(1) / np.maximum(self.abscissa(), 1e-300)
+    def about_centre(self, name, part):
+        """A vector's component along R, phi or r; velocities are beside the centre's own."""
+        vector, d = self.dataset(name), self.offset()
+        if name == "Velocities":
+            vector = vector - np.array(self.item["velocity"])
+        if part == "r":
+            return (d * vector).sum(1) / np.maximum(np.sqrt((d**2).sum(1)), 1e-300)
+        R = np.maximum(np.hypot(d[:, 0], d[:, 1]), 1e-300)
+        if part == "R":
+            return (d[:, 0] * vector[:, 0] + d[:, 1] * vector[:, 1]) / R
+        return (d[:, 0] * vector[:, 1] - d[:, 1] * vector[:, 0]) / R
 
-    def can_show(self, name):
-        return name in self.fields or name == "v"
+    def value(self, name):
+        """A field by its name: a number a particle."""
+        dataset, part = self.item["names"][name]
+        values = self.dataset(dataset)
+        if part == "modulus":
+            return np.sqrt((values**2).sum(1))
+        if part in ("R", "phi", "r"):
+            return self.about_centre(dataset, part)
+        if part:
+            return values[:, (MATRIX if len(part) == 2 else AXES).index(part)]
+        return values.reshape(len(values))
+
+    def has(self, name):
+        return name in self.item["names"]

@@ -4,22 +4,20 @@ import numpy as np
 from matplotlib.colors import SymLogNorm
 from style import plt, save
 
-KINDS = ("longitudinal", "transverse")
-
 
 def draw_stability(work):
     panels, low, high = work["stability"], *work["h"]
-    kinds = [kind for kind in KINDS if np.isfinite(np.array(panels[0][kind], dtype=float)).any()]
+    kinds = list(panels[0]["waves"])
     figure, grid = plt.subplots(len(kinds), len(panels), figsize=(4.6 * len(panels) + 1.6, 4.2 * len(kinds) + 0.6),
                                 squeeze=False, sharex=True, sharey=True, constrained_layout=True)
     for row, kind in zip(grid, kinds):
         for axes, panel in zip(row, panels):
-            values = np.array(panel[kind], dtype=float)
+            values = np.array(panel["waves"][kind], dtype=float)
             image = axes.imshow(values, origin="lower", aspect="auto", extent=(0, 1, low, high), cmap="RdBu",
                                 norm=SymLogNorm(linthresh=1e-3, vmin=-1, vmax=1))
             kappa = (np.arange(values.shape[1]) + 0.5) / values.shape[1]
             support = low + (np.arange(values.shape[0]) + 0.5) / values.shape[0] * (high - low)
-            if values.min() < 0 < values.max():
+            if np.nanmin(values) < 0 < np.nanmax(values):
                 axes.contour(kappa, support, values, levels=[0], colors="black", linewidths=1)
             axes.axhline(work["mark"], color="black", ls=":", lw=1.2)
             axes.grid(False)

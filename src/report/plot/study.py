@@ -1,8 +1,6 @@
 """Error against run time: four panels of a study, a line a method."""
 
-import numpy as np
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
-from style import LINES, MARKERS, plt, save
+from style import LINES, MARKERS, plain_ticks, plt, save
 
 STROKES = ["-", "--", ":"]  # once all colours are used
 OTHERS = "#8a8a8a"
@@ -17,22 +15,6 @@ def look_of(k):
 def draw_line(axes, points, x, y, look):
     points = sorted(points, key=lambda p: p[x])
     axes.plot([p[x] for p in points], [p[y] for p in points], **look)
-
-
-def short(value):
-    """0.0025, 310, 5.2 M"""
-    for unit, name in ((1e12, " T"), (1e9, " G"), (1e6, " M"), (1e3, " k")):
-        if value >= unit and value >= 1e4:
-            return f"{value / unit:.3g}{name}"
-    return f"{value:.3g}"
-
-
-def plain_ticks(axis, low, high):
-    """Numbers as they are read, 1, 2 and 5 of a decade where there are few decades."""
-    decades = np.log10(max(high / max(low, 1e-300), 1))
-    axis.set_major_locator(MaxNLocator(4) if decades < 0.6 else LogLocator(subs=(1, 2, 5) if decades < 2.5 else (1,)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: short(value)))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def draw_others(axes, others):
@@ -134,4 +116,24 @@ def draw_study(work):
         seconds.annotate(f"grey: on {machines}", (0.01, 1.0), xycoords="axes fraction", fontsize=10, va="bottom",
                          color="#555555")
     figure.suptitle(work["title"], fontsize=15)
+    save(figure, work["out"])
+
+
+def draw_speed(work):
+    """What an update costs beside the first method, a bar each, as S12 Fig. 11; marks: the whole run."""
+    bars = work["speed"]
+    figure, axes = plt.subplots(figsize=(9.5, 1.6 + 0.55 * len(bars)), constrained_layout=True)
+    for row, bar in enumerate(bars):
+        axes.barh(row, bar["update"], height=0.62, color=LINES[row % len(LINES)])
+        axes.annotate(f"{bar['update']:.2f}", (bar["update"], row), xytext=(9, 0), textcoords="offset points",
+                      va="center", fontsize=11, bbox={"fc": "white", "ec": "none", "pad": 1})
+    axes.plot([bar["run"] for bar in bars], range(len(bars)), ls="", marker="D", mfc="white", mec="black", ms=7,
+              label="the whole run, with its number of steps")
+    axes.axvline(1, color="black", lw=1, ls=":")
+    axes.set_yticks(range(len(bars)), [bar["method"] for bar in bars])
+    axes.set_ylim(len(bars) - 0.4, -0.6)
+    axes.set_xlim(0, 1.12 * max(max(bar["update"], bar["run"]) for bar in bars))
+    axes.grid(False, axis="y")
+    axes.set(xlabel=f"CPU time of an update over that of {bars[0]['method']}", title=work["title"])
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.02, -0.02 - 1.3 / (1 + 0.55 * len(bars))), frameon=False)
     save(figure, work["out"])
