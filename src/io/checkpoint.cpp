@@ -46,15 +46,20 @@ void require_layout(const std::filesystem::path& path, const hdf5::File& file, c
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint, const Snapshot& snapshot,
+void write_checkpoint(const std::filesystem::path& path, const std::function<Checkpoint()>& make, Snapshot snapshot,
                       const SnapshotInfo& info) {
-  hdf5::File file = snapshot_file(snapshot, info, Compression::none);
+  hdf5::File file = snapshot_file(std::move(snapshot), info, Compression::none);
+  Checkpoint checkpoint = make();
+  const std::uint64_t checksum = checksum_of(checkpoint);
   hdf5::Group group = file.group("sphk").create_group(group_name);
-  for (const auto& [name, bytes] : checkpoint.state) group.write(name, bytes);
+  for (auto& [name, bytes] : checkpoint.state) {
+    group.write(name, bytes);
+    bytes = std::vector<std::uint8_t>();
+  }
   group.set(layout_name, std::int32_t{checkpoint_layout});
   group.write(loop_name, bytes_of(checkpoint.loop));
   group.write(history_name, bytes_of(checkpoint.history));
-  group.write("Checksum", std::vector<std::uint64_t>{checksum_of(checkpoint)});
+  group.write("Checksum", std::vector<std::uint64_t>{checksum});
   file.save(path);
 }
 

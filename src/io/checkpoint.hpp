@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "src/engine/saved_state.hpp"
@@ -20,10 +21,11 @@ struct Checkpoint {
   std::string scene;    ///< the text of scene.used.toml; written as that of the snapshot
 };
 
-/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; its scene's text is that of `info`. It appears
-/// under its name only when it is complete and on the disk. Errors as for write_snapshot.
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint, const Snapshot& snapshot,
-                      const SnapshotInfo& info);
+/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; its scene's text is that of `info`. The
+/// checkpoint is asked for once the snapshot's fields are in the file and gone, so that not all is in memory at once.
+/// It appears under its name only when it is complete and on the disk. Errors as for write_snapshot.
+void write_checkpoint(const std::filesystem::path& path, const std::function<Checkpoint()>& checkpoint,
+                      Snapshot snapshot, const SnapshotInfo& info);
 
 /// Reads it back. Throws InputError where the file is none, is of another layout, or its checksum tells that it is
 /// damaged.

@@ -19,6 +19,6 @@ void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotIn
 void write_cells(hdf5::File& file, const std::vector<double>& coordinates, const ReadersBox& box);
 
 /// What write_snapshot writes, still in memory.
-hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression);
+hdf5::File snapshot_file(Snapshot snapshot, const SnapshotInfo& info, Compression compression);
 
 }  // namespace sphk

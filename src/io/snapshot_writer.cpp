@@ -54,26 +54,24 @@ void write_field(hdf5::Group& gas, const Field& field, const SnapshotInfo& info,
   describe(gas.write(field.name, field.values, columns, compressed), field.description, field.units, info);
 }
 
-/// SWIFT's h, from the support radius.
-Field swift_smoothing_lengths(const Field& support, const SnapshotInfo& info, int dimension) {
+/// SWIFT's h, in place of the support radius.
+Field swift_smoothing_lengths(Field support, const SnapshotInfo& info, int dimension) {
   const double gamma = kernel_gamma(info.kernel, dimension);
-  Field h{"SmoothingLengths",
-          "Smoothing length as SWIFT defines it: support radius / kernel gamma",
-          {1, 0, 0},
-          1,
-          support.values};
-  for (double& value : h.values) value /= gamma;
-  return h;
+  support.name = "SmoothingLengths";
+  support.description = "Smoothing length as SWIFT defines it: support radius / kernel gamma";
+  for (double& value : support.values) value /= gamma;
+  return support;
 }
 
-void write_gas(hdf5::Group gas, const Snapshot& snapshot, const Field& coordinates, const SnapshotInfo& info,
-               bool compressed) {
+/// Lets go of the fields' values as they are written: the file is in memory as well.
+void write_gas(hdf5::Group gas, Snapshot& snapshot, const SnapshotInfo& info, bool compressed) {
   describe(gas.write("ParticleIDs", snapshot.id, 0, compressed), "Unique number of the particle", {}, info);
-  for (const Field& field : snapshot.fields)
-    write_field(gas, field.name == "Coordinates" ? coordinates : field, info, compressed);
-  if (snapshot.has("SmoothingLength"))
-    write_field(gas, swift_smoothing_lengths(snapshot.field("SmoothingLength"), info, snapshot.dimension), info,
-                compressed);
+  for (Field& field : snapshot.fields) {
+    write_field(gas, field, info, compressed);
+    Field gone{field.name, "", field.units, field.components, std::move(field.values)};
+    if (field.name == "SmoothingLength")
+      write_field(gas, swift_smoothing_lengths(std::move(gone), info, snapshot.dimension), info, compressed);
+  }
   for (const auto& [singular, plural] : singular_names)
     if (snapshot.has(plural)) gas.link(singular, fmt::format("/PartType0/{}", plural));
 }
@@ -111,38 +109,38 @@ void check_sizes(const Snapshot& snapshot) {
                                    snapshot.size() * static_cast<std::size_t>(field.components)));
 }
 
-/// Where the box has its readers see the particles.
-Field placed_coordinates(const Snapshot& snapshot, const ReadersBox& box) {
-  Field field = snapshot.field("Coordinates");
-  for (std::size_t i = 0; i < field.values.size(); i += 3) {
-    const Array3 y = box.placed({field.values[i], field.values[i + 1], field.values[i + 2]});
-    std::ranges::copy(y, field.values.begin() + static_cast<std::ptrdiff_t>(i));
+/// Puts the particles where the box has its readers see them.
+const std::vector<double>& place_coordinates(Snapshot& snapshot, const ReadersBox& box) {
+  std::vector<double>& x = std::ranges::find(snapshot.fields, "Coordinates", &Field::name)->values;
+  for (std::size_t i = 0; i < x.size(); i += 3) {
+    const Array3 y = box.placed({x[i], x[i + 1], x[i + 2]});
+    std::ranges::copy(y, x.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  return field;
+  return x;
 }
 
-hdf5::File placed_file(const Snapshot& snapshot, const SnapshotInfo& info, const ReadersBox& box,
-                       Compression compression) {
+hdf5::File placed_file(Snapshot snapshot, const SnapshotInfo& info, const ReadersBox& box, Compression compression) {
   const bool compressed = compression == Compression::gzip;
-  const Field coordinates = placed_coordinates(snapshot, box);
   hdf5::File file = hdf5::File::create();
   write_metadata(file, snapshot, info, box);
-  write_cells(file, coordinates.values, box);
-  write_gas(file.create_group("PartType0"), snapshot, coordinates, info, compressed);
-  write_vtkhdf(file.create_group("VTKHDF"), snapshot, true_points(snapshot, box), compressed);
+  const std::vector<double> points = true_points(snapshot, box);
+  write_cells(file, place_coordinates(snapshot, box), box);
+  write_gas(file.create_group("PartType0"), snapshot, info, compressed);
+  write_vtkhdf(file.create_group("VTKHDF"), snapshot, points, compressed);
   return file;
 }
 
 }  // namespace
 
-hdf5::File snapshot_file(const Snapshot& snapshot, const SnapshotInfo& info, Compression compression) {
+hdf5::File snapshot_file(Snapshot snapshot, const SnapshotInfo& info, Compression compression) {
   check_sizes(snapshot);
-  return placed_file(snapshot, info, readers_box(snapshot), compression);
+  const ReadersBox box = readers_box(snapshot);
+  return placed_file(std::move(snapshot), info, box, compression);
 }
 
-void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
+void write_snapshot(const std::filesystem::path& path, Snapshot snapshot, const SnapshotInfo& info,
                     Compression compression) {
-  snapshot_file(snapshot, info, compression).save(path);
+  snapshot_file(std::move(snapshot), info, compression).save(path);
 }
 
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
@@ -163,7 +161,8 @@ void write_fields(const std::filesystem::path& path, const ParticleSet& particle
   snapshot.fields.push_back(std::move(coordinates));
   snapshot.fields.insert(snapshot.fields.end(), fields.begin(), fields.end());
   check_sizes(snapshot);
-  placed_file(snapshot, info, unshifted_box(snapshot), Compression::none).save(path);
+  const ReadersBox box = unshifted_box(snapshot);
+  placed_file(std::move(snapshot), info, box, Compression::none).save(path);
 }
 
 void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries) {

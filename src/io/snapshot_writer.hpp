@@ -34,9 +34,10 @@ enum class Compression { none, gzip };
 /// Writes `snapshot` as one HDF5 file that yt, pynbody, swiftsimio, SPLASH and ParaView open: SWIFT's layout, GADGET's
 /// singular names and a /VTKHDF group as hard links. All numbers are in the units of `info`. Coordinates are moved to
 /// where readers look for them (readers_box.hpp), which read_particles undoes.
-/// The file is built in memory and appears under its name only when it is complete and on the disk. Throws InputError
-/// when the folder cannot be written, the disk is full, or a field does not have `snapshot.size()` rows.
-void write_snapshot(const std::filesystem::path& path, const Snapshot& snapshot, const SnapshotInfo& info,
+/// The file is built in memory, from fields that a snapshot which is moved here loses on the way, and appears under its
+/// name only when it is complete and on the disk. Throws InputError when the folder cannot be written, the disk is
+/// full, or a field does not have `snapshot.size()` rows.
+void write_snapshot(const std::filesystem::path& path, Snapshot snapshot, const SnapshotInfo& info,
                     Compression compression = Compression::none);
 
 /// Writes `fields`, whose rows are in the order of `particles`, beside their ids and coordinates, which are not moved,

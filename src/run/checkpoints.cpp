@@ -104,8 +104,10 @@ void Checkpoints::write(const Simulation& simulation, const LoopState& loop, con
   const Stopwatch watch;
   Writer text;
   visit(text, loop, output, box);
-  const Checkpoint checkpoint{simulation.save(), text.json.dump(),
-                              text_of_file(folder_ / "history.csv").substr(0, output.history_bytes), info.scene_text};
+  const auto checkpoint = [&] {
+    return Checkpoint{simulation.save(), text.json.dump(),
+                      text_of_file(folder_ / "history.csv").substr(0, output.history_bytes), info.scene_text};
+  };
   write_checkpoint(folder_ / names[next_], checkpoint, simulation.snapshot(), info);
   next_ = 1 - next_;
   seconds_ = watch.wall();

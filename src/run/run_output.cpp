@@ -118,11 +118,13 @@ void RunOutput::write(const Simulation& simulation) {
     snapshot.fields.insert(snapshot.fields.end(), errors.begin(), errors.end());
     for (const auto& column : columns(*budget_)) measures.push_back(column);
   }
+  compare(snapshot, measures);
   const std::string name = snapshot_name(series_.size());
-  write_snapshot(folder_ / name, snapshot, info_, compression_);
+  const Box box = snapshot.box;
   series_.push_back({name, snapshot.time});
+  write_snapshot(folder_ / name, std::move(snapshot), info_, compression_);
   write_series(folder_, series_);
-  add_row(simulation, snapshot, std::move(measures));
+  add_row(simulation, box, measures);
   last_step_ = step.step;
   seconds_ += watch.wall();
 }
@@ -130,18 +132,23 @@ void RunOutput::write(const Simulation& simulation) {
 void RunOutput::add_row(const Simulation& simulation) {
   const Stopwatch watch;
   const Snapshot snapshot = simulation.snapshot();
-  add_row(simulation, snapshot, scene_.measures(settings_, snapshot));
+  History::Measures measures = scene_.measures(settings_, snapshot);
+  compare(snapshot, measures);
+  add_row(simulation, snapshot.box, measures);
   seconds_ += watch.wall();
 }
 
-void RunOutput::add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures) {
+void RunOutput::compare(const Snapshot& snapshot, History::Measures& measures) {
   deviations_.add(snapshot.time, measures);
   errors_ = scene_.errors(settings_, snapshot);
   for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
   add_alpha(measures, snapshot);
+}
+
+void RunOutput::add_row(const Simulation& simulation, const Box& box, const History::Measures& measures) {
   const Totals totals = simulation.totals();
   if (!start_) start_ = totals;
-  history_.add(simulation.last_step(), totals, drift(*start_, totals, snapshot.box), measures);
+  history_.add(simulation.last_step(), totals, drift(*start_, totals, box), measures);
 }
 
 }  // namespace sphk

@@ -56,7 +56,9 @@ class RunOutput {
   const std::string& last_snapshot() const { return series_.back().name; }
 
  private:
-  void add_row(const Simulation& simulation, const Snapshot& snapshot, History::Measures measures);
+  /// With converged runs and the exact solution; what comes of it becomes columns as well.
+  void compare(const Snapshot& snapshot, History::Measures& measures);
+  void add_row(const Simulation& simulation, const Box& box, const History::Measures& measures);
 
   std::filesystem::path folder_;
   const Scene& scene_;

@@ -104,7 +104,7 @@ Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double
     : dimension_(lattice.dimension), sites_(static_cast<int>(lattice.basis.size())), gamma_(gamma), rho_(0) {
   const int D = dimension_, reach = static_cast<int>(std::ceil(2 * h)) + 2;
   with_kernel(kernel, [&](const auto& shape) {
-    const double norm = shape.norm(D) / std::pow(h, D);
+    const double norm = shape.norm(D) / std::pow(h, D), force_norm = norm_of_forces(shape, D) / std::pow(h, D);
     const std::array<int, 3> cells{reach, D > 1 ? reach : 0, D > 2 ? reach : 0};
     rho_ = norm * shape(0.0).w;
     for (int of = 0; of < sites_; ++of)
@@ -119,10 +119,13 @@ Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double
               const double r = std::sqrt(dot(x, x)), q = r / h;
               if (r < 1e-9 || q >= 1) continue;
               if (of == 0) rho_ += norm * shape(q).w;
-              const double slope = norm / h * shape(q).dw, curvature = norm / (h * h) * second_derivative(shape, q);
-              Pair pair{.of = of, .site = site, .x = x, .grad = {}, .hessian = {}};
+              const double slope = force_norm / h * shape(q).dw,
+                           curvature = force_norm / (h * h) * second_derivative(shape, q),
+                           density_slope = norm / h * with_own_derivative(shape, q).dw;
+              Pair pair{.of = of, .site = site, .x = x, .grad = {}, .grad_density = {}, .hessian = {}};
               for (int d = 0; d < D; ++d) {
                 pair.grad[d] = slope * x[d] / r;
+                pair.grad_density[d] = density_slope * x[d] / r;
                 for (int e = 0; e < D; ++e)
                   pair.hessian[d][e] =
                       curvature * x[d] * x[e] / (r * r) + slope / r * ((d == e) - x[d] * x[e] / (r * r));
@@ -135,25 +138,25 @@ Dispersion::Dispersion(const Lattice& lattice, const std::string& kernel, double
 
 WaveModes Dispersion::at(const Array3& k) const {
   // With m = P_0 = 1: omega^2 a_s = 2/rho^2 sum_t H_st (a_s - a_t e^(-ik.x)) - (gamma - 2)/rho^3 sum_t g_st sum_u g_tu
-  // . a_u, g_st = sum e^(-ik.x) grad W over the pairs of sites s and t. Here times rho^2.
+  // . a_u, g_st = sum e^(-ik.x) grad W over the pairs of sites s and t, the latter with the gradient of the density.
+  // Here times rho^2. Where the two gradients differ and are not parallel, the matrix is taken by its Hermitian part.
   const int D = dimension_, size = D * sites_;
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(size, size), g = Eigen::MatrixXcd::Zero(size, sites_);
+  Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(sites_, size);  // of the density of site t: -sum_u g_tu . a_u
   for (const Pair& pair : pairs_) {
     const Complex phase = std::polar(1.0, -dot(k, pair.x));
     const int i = D * pair.of, j = D * pair.site;
     for (int d = 0; d < D; ++d) {
       g(i + d, pair.site) += phase * pair.grad[d];
+      change(pair.of, j + d) -= phase * pair.grad_density[d];
       for (int e = 0; e < D; ++e) {
         matrix(i + d, i + e) += 2 * pair.hessian[d][e];
         matrix(i + d, j + e) -= 2.0 * phase * pair.hessian[d][e];
       }
     }
   }
-  Eigen::MatrixXcd change(sites_, size);  // of the density of site t: -sum_u g_tu . a_u
-  for (int t = 0; t < sites_; ++t)
-    for (int u = 0; u < sites_; ++u)
-      for (int d = 0; d < D; ++d) change(t, D * u + d) = -g(D * t + d, u);
-  matrix += (gamma_ - 2) / rho_ * g * change;
+  const Eigen::MatrixXcd by_density = (gamma_ - 2) / rho_ * g * change;
+  matrix += 0.5 * (by_density + by_density.adjoint());
   return modes_of(matrix / (rho_ * dot(k, k) * gamma_), k, D);
 }
 

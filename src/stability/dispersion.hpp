@@ -48,10 +48,12 @@ class Dispersion {
   WaveModes at(const Array3& k) const;
 
  private:
-  /// A neighbour: where it is seen from site `of`, what site it is, and grad W and the Hessian of W there.
+  /// A neighbour: where it is seen from site `of`, what site it is, and there grad W and the Hessian of W as forces
+  /// have them, and the gradient by which the density changes: another one, where a kernel's forces are apart from its
+  /// W.
   struct Pair {
     int of, site;
-    Array3 x, grad;
+    Array3 x, grad, grad_density;
     std::array<Array3, 3> hessian;
   };
   int dimension_, sites_;

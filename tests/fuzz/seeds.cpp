@@ -82,9 +82,10 @@ void write_hdf5(const fs::path& folder) {
   Snapshot snapshot = example_snapshot(1, particles);
   write_snapshot(folder / "snapshot", snapshot, example_info());
   write_snapshot(folder / "compressed", snapshot, example_info(), Compression::gzip);
-  write_checkpoint(folder / "checkpoint",
-                   {.state = {{"x", {1, 2, 3, 4}}, {"t", {5}}}, .loop = "{}", .history = "step\n", .scene = {}},
-                   snapshot, example_info());
+  const Checkpoint checkpoint{
+      .state = {{"x", {1, 2, 3, 4}}, {"t", {5}}}, .loop = "{}", .history = "step\n", .scene = {}};
+  write_checkpoint(
+      folder / "checkpoint", [&] { return checkpoint; }, snapshot, example_info());
 }
 
 }  // namespace
