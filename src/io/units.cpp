@@ -106,6 +106,14 @@ std::string power(const std::string& unit, double exponent) {
   return fmt::format("{}^{:.3g}", compound ? "(" + unit + ")" : unit, exponent);
 }
 
+/// Its own name, or that of a length over that of a time where these are plain ones.
+std::string velocity_name(const Units& units) {
+  const auto is_plain = [](const std::string& name) { return name.find(' ') == std::string::npos; };
+  const std::string length = unit_name(UnitOf::length, units.length), time = unit_name(UnitOf::time, units.time);
+  const std::string name = unit_name(UnitOf::velocity, units.velocity());
+  return is_plain(name) || !is_plain(length) || !is_plain(time) ? name : length + "/" + time;
+}
+
 }  // namespace
 
 double Units::to_cgs(const UnitExponents& exponents) const {
@@ -142,13 +150,12 @@ std::string unit_name(UnitOf kind, double cgs) {
 std::string units_text(const std::optional<Units>& units) {
   if (!units) return "code units";
   return fmt::format("{}, {}, {} and {}", unit_name(UnitOf::length, units->length),
-                     unit_name(UnitOf::mass, units->mass), unit_name(UnitOf::velocity, units->velocity()),
-                     unit_name(UnitOf::time, units->time));
+                     unit_name(UnitOf::mass, units->mass), velocity_name(*units), unit_name(UnitOf::time, units->time));
 }
 
 std::string unit_label(const Units& units, std::string_view quantity, int dimension, double gamma) {
   const std::string length = unit_name(UnitOf::length, units.length), mass = unit_name(UnitOf::mass, units.mass);
-  const std::string velocity = unit_name(UnitOf::velocity, units.velocity());
+  const std::string velocity = velocity_name(units);
   const std::string density = mass + " " + power(length, -dimension), specific = power(velocity, 2);
   if (quantity == "x") return length;
   if (quantity == "m") return mass;

@@ -42,8 +42,7 @@ TEST(Units, ANameIsFoundByItsValue) {
   EXPECT_EQ(unit_name(UnitOf::length, 1), "cm");
   EXPECT_EQ(unit_name(UnitOf::mass, 3e-5), "3e-05 g");
   EXPECT_EQ(units_text(std::nullopt), "code units");
-  EXPECT_EQ(units_text(Units{kpc, 1e10 * Msun, Gyr}),
-            "kpc, 1e10 Msun, 977.79 m/s and Gyr");  // 3.08568e16 km / 3.15576e16 s
+  EXPECT_EQ(units_text(Units{kpc, 1e10 * Msun, Gyr}), "kpc, 1e10 Msun, kpc/Gyr and Gyr");
 }
 
 TEST(Units, LabelsOfPictures) {
