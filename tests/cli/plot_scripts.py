@@ -106,6 +106,10 @@ class Scripts(unittest.TestCase):
         low, high = axes.get_ylim()
         self.assertTrue(1e-7 < low < 1e-6 and 0.01 < high < 0.1, (low, high))
         plt.close(figure)
+        figure, axes = plt.subplots()
+        history.scale_drifts(axes, [np.array([0.0, 0.0])])
+        self.assertEqual((axes.get_yscale(), len(axes.get_yticks())), ("linear", 0), "nothing has drifted")
+        plt.close(figure)
 
     def test_labels_name_components(self):
         self.assertIn("v_{x}", label_of("v_x"))
