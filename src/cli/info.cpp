@@ -8,6 +8,7 @@
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/info.hpp"
+#include "src/io/input_file.hpp"
 #include "src/report/final_table.hpp"
 #include "src/report/run_json.hpp"
 
@@ -21,6 +22,7 @@ std::string run_info(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(file))
     throw InputError(
         fmt::format("{} holds no run.json: it is no run's folder, or the run has not ended yet", folder.string()));
+  require_file(file);
   const RunRecord r = read_run_json(text_of_file(file), file.string());
   return fmt::format("{}: {} with {} particles in {}D; scheme {}, kernel {}, {:g} neighbours\n{} at t = {:g}\n\n{}",
                      folder.string(), r.scene, r.particles, r.dimension, r.scheme, r.kernel, r.neighbours,

@@ -9,6 +9,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
+#include "src/io/input_file.hpp"
 #include "src/report/plot_script.hpp"
 #include "src/run/plot_fields.hpp"
 #include "src/run/plot_items.hpp"
@@ -29,6 +30,12 @@ struct Targets {
   bool whole_run = false;
 
   fs::path history() const { return folder / "history.csv"; }
+  /// Throws InputError where it is no file.
+  bool has_history() const {
+    if (!fs::exists(history())) return false;
+    require_file(history());
+    return true;
+  }
 };
 
 std::vector<fs::path> snapshots_in(const fs::path& folder) {
@@ -128,7 +135,7 @@ Json profile_of(const PlotRequest& request, const Targets& targets) {
   const auto problem = problem_of(targets);
   Json item = describe_snapshot(targets.snapshots.back(), problem, request.exact);
   check_field(request, request.profile, item);
-  item["history"] = fs::exists(targets.history()) ? Json(targets.history().string()) : Json(nullptr);
+  item["history"] = targets.has_history() ? Json(targets.history().string()) : Json(nullptr);
   item["label"] = targets.folder.filename().string();
   if (problem) {
     const SimulationSettings s = simulation_settings(problem->settings);
@@ -139,7 +146,7 @@ Json profile_of(const PlotRequest& request, const Targets& targets) {
 
 /// How well a run conserves.
 Json conservation_of(const Targets& targets) {
-  if (!fs::exists(targets.history()))
+  if (!targets.has_history())
     throw InputError(fmt::format("{} holds no history.csv; is it the folder of a run?", targets.folder.string()));
   std::string title = targets.folder.filename().string();
   if (const auto problem = problem_of(targets)) {
@@ -224,7 +231,7 @@ void plot_run(const PlotRequest& request) {
     item["out"] = figure_name(request, targets, snapshot).string();
     work["snapshots"].push_back(std::move(item));
   }
-  const bool there = fs::exists(targets.history());
+  const bool there = targets.has_history();
   if (there) work["history"] = targets.history().string();
   work["references"] = problem ? references_of(*problem) : Json::array();
   if (there && targets.whole_run && !is_figure(request.out))

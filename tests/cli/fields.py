@@ -1,6 +1,10 @@
 """Figures of any field, and what studies do with streams and files. Usage: fields.py SPHK; exit code 77: no matplotlib."""
 
+import datetime
+import json
 import os
+import shlex
+import socket
 import subprocess
 import unittest
 
@@ -43,6 +47,16 @@ class Fields(WithRun):
         self.sphk("run", "sod", "--set", "scene.dimension=1", "-n", "16", "--scheme", "gadget2", "--steps", "1", "--out", "plain")
         self.assertIn("no field \"alpha\"", self.sphk("plot", "plain", "--profile", "alpha", code=2))
 
+    def test_run_json_tells_who_ran_what_where_and_when(self):
+        with open(os.path.join(self.folder, "run", "run.json"), encoding="utf-8") as file:
+            run = json.load(file)
+        self.assertEqual(shlex.split(run["command"])[1:6], ["run", "gresho", "-n", "16", "--set"])
+        self.assertEqual(run["host"], socket.gethostname())
+        started = datetime.datetime.strptime(run["date"], "%Y-%m-%dT%H:%M:%S%z")
+        self.assertLess(abs(datetime.datetime.now(datetime.timezone.utc) - started), datetime.timedelta(hours=1))
+        self.assertIn("-O", run["compiler_flags"])
+        self.assertRegex(run["kokkos"], r"^\d+\.\d+\.\d+ for [A-Z]")
+
     def test_a_study_goes_on_when_nobody_reads_what_it_says(self):
         study = [SPHK, "study", "sod", "-n", "8,16", "--scheme", "sph,gadget2", "--set", "scene.dimension=1", "--out", "unread"]
         running = subprocess.Popen(study, cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -62,6 +76,10 @@ class Fields(WithRun):
             self.assertIn(word, self.sphk("study", "sod", "-n", "8", "--others", others, "--out", "never", code=2))
         self.assertIn("pipe", self.sphk("study", "compare", "pipe.csv", "folder", code=2))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "never")))
+        os.link(os.path.join(self.folder, "run", "snap_0000.hdf5"), os.path.join(self.folder, "folder", "snap_0000.hdf5"))
+        for name, command in (("run.json", ("info", "folder")), ("history.csv", ("plot", "folder"))):
+            os.mkfifo(os.path.join(self.folder, "folder", name))
+            self.assertIn(f"folder/{name}: this is a pipe", self.sphk(*command, code=2))
 
 
 unittest.main()

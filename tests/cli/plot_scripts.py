@@ -93,6 +93,12 @@ class Scripts(unittest.TestCase):
         asked = field_map.colours_of(images, "v_y", {"range": [1, 2], "log": True})["norm"]
         self.assertEqual((type(asked).__name__, asked.vmin, asked.vmax), ("LogNorm", 1, 2))
 
+    def test_frames_share_their_axes(self):
+        frames = [item(self.file, True, fields=["rho"]), item(self.file, True, fields=["rho"])]
+        frames[1]["names"] = frames[1]["names"] | {"rho": ["V", "yz"]}  # 5 in place of 2
+        low, high = profiles.shared_limits(Snapshot(frame) for frame in frames)["rho"]
+        self.assertTrue(1.9 < low < 2 and 5 < high < 5.1, (low, high))
+
     def test_an_axis_is_not_set_by_one_particle(self):
         values = np.append(np.linspace(0, 1, 1000), 1000)
         low, high = profiles.limits(values)
@@ -105,6 +111,10 @@ class Scripts(unittest.TestCase):
         history.scale_drifts(axes, [np.array([0, 1e-6]), np.array([0.0, 0.0])])
         low, high = axes.get_ylim()
         self.assertTrue(1e-7 < low < 1e-6 and 0.01 < high < 0.1, (low, high))
+        plt.close(figure)
+        figure, axes = plt.subplots()
+        history.scale_drifts(axes, [np.array([0.0, 0.0])])
+        self.assertEqual((axes.get_yscale(), len(axes.get_yticks())), ("linear", 0), "nothing has drifted")
         plt.close(figure)
 
     def test_labels_name_components(self):

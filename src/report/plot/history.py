@@ -77,8 +77,8 @@ def draw_lines(axes, history, names, first=0):
 def scale_drifts(axes, drifts):
     """A logarithmic axis for these arrays, which ends where they end, not at what is exactly 0."""
     seen = np.concatenate([drift[drift > 0] for drift in drifts] + [np.empty(0)])
-    axes.set_yscale("log", nonpositive="mask")
     if len(seen):
+        axes.set_yscale("log", nonpositive="mask")
         axes.set_ylim(0.5 * seen.min(), 2 * max(seen.max(), PERCENT))
     else:
         axes.set(yticks=[], ylim=(1, 2))
