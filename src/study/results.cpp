@@ -31,10 +31,6 @@ bool any_joules(const std::vector<StudyResult>& results) {
   return std::ranges::any_of(results, [](const StudyResult& r) { return r.joules.has_value(); });
 }
 
-bool is_field_error(const std::string& norm) {
-  return norm == "v" || norm == "rho" || norm == "P" || norm.ends_with("_particles");
-}
-
 std::optional<double> fitted_order(const std::vector<StudyResult>& results) {
   double count = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const StudyResult& r : results) {
@@ -109,13 +105,12 @@ bool on_front(const StudyResult& r, const std::vector<StudyResult>& results) {
          });
 }
 
-Table study_table(const std::vector<StudyResult>& results, const std::string& norm) {
+Table study_table(const std::vector<StudyResult>& results, const std::string& quantity, bool ranked) {
   std::vector<StudyResult> rows = results;
   std::ranges::stable_sort(rows, [](const StudyResult& a, const StudyResult& b) {
     return a.valid() != b.valid() ? a.valid() : a.valid() && a.cpu < b.cpu;
   });
-  Table table{{"method", "n", "particles", "L1(" + norm + ")", "dE/E", "steps", "wall s", "CPU s", "updates/s",
-               "memory", "best"},
+  Table table{{"method", "n", "particles", quantity, "dE/E", "steps", "wall s", "CPU s", "updates/s", "memory", "best"},
               {}};
   if (any_joules(rows)) table.head.insert(table.head.end() - 1, "uJ/update");
   for (const StudyResult& r : rows) {
@@ -133,7 +128,7 @@ Table study_table(const std::vector<StudyResult>& results, const std::string& no
              bytes_text(r.bytes)};
     row.resize(table.head.size(), "-");
     if (r.valid() && r.joules) row[row.size() - 2] = fmt::format("{:.3g}", 1e6 * *r.joules / r.updates);
-    row.back() = !r.valid() ? "failed" : on_front(r, rows) ? "*" : "";
+    row.back() = !r.valid() ? "failed" : ranked && on_front(r, rows) ? "*" : "";
     table.rows.push_back(row);
   }
   return table;
