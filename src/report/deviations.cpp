@@ -30,7 +30,9 @@ void Deviations::add(double time, const History::Measures& measures) {
     const auto measure = std::ranges::find(measures, r.measure, &History::Measures::value_type::first);
     if (measure == measures.end() || std::abs(time - r.time) > 1e-6 * r.time) continue;
     const double unit = r.over_start ? start_.at(r.measure) : 1;
-    by_measure_[r.measure].at.push_back({r.time, measure->second / unit, r.low, r.high});
+    Deviation& deviation = by_measure_[r.measure];
+    deviation.at.push_back({r.time, measure->second / unit, r.low, r.high});
+    deviation.over_start = r.over_start;
   }
 }
 

@@ -15,7 +15,8 @@ struct Deviation {
   struct At {
     double time = 0, value = 0, low = 0, high = 0;
   };
-  std::vector<At> at;  ///< the times that the run reached
+  std::vector<At> at;       ///< the times that the run reached
+  bool over_start = false;  ///< the values are those of the measure over its value at the start
   /// Distances from [low, high], their sum over that of the middles.
   double l1() const;
 };

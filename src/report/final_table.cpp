@@ -57,8 +57,8 @@ void physics(Text out, const RunRecord& r) {
     for (const Deviation::At& a : deviation.at)
       found.push_back(a.low == a.high ? fmt::format("{:.3g} of {:.3g}", a.value, a.low)
                                       : fmt::format("{:.3g} of {:.3g} to {:.3g}", a.value, a.low, a.high));
-    fmt::format_to(out, "  {:<25} L1 {:<10.4g} of converged runs: {}\n", measure, deviation.l1(),
-                   fmt::join(found, ", "));
+    fmt::format_to(out, "  {:<25} L1 {:<10.4g} of converged runs: {}\n",
+                   measure + (deviation.over_start ? " over its start" : ""), deviation.l1(), fmt::join(found, ", "));
   }
 }
 

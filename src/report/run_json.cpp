@@ -54,7 +54,7 @@ Json deviations(const std::map<std::string, Deviation>& deviations) {
     Json at = Json::array();
     for (const Deviation::At& a : deviation.at)
       at.push_back({{"time", a.time}, {"value", a.value}, {"low", a.low}, {"high", a.high}});
-    json[measure] = {{"l1", deviation.l1()}, {"at", at}};
+    json[measure] = {{"l1", deviation.l1()}, {"over_start", deviation.over_start}, {"at", at}};
   }
   return json;
 }
@@ -103,10 +103,12 @@ void read_results(const Json& json, RunRecord& r) {
     error = {number(norm.at("l1")), number(norm.at("l2")), number(norm.at("linf")), {}};
     for (std::size_t k = 0; k < 3; ++k) error.where[k] = number(norm.at("where").at(k));
   }
-  for (const auto& [measure, deviation] : json.at("deviations").items())
+  for (const auto& [measure, deviation] : json.at("deviations").items()) {
+    Deviation& found = r.deviations[measure];
+    found.over_start = deviation.value("over_start", false);
     for (const Json& at : deviation.at("at"))
-      r.deviations[measure].at.push_back(
-          {number(at.at("time")), number(at.at("value")), number(at.at("low")), number(at.at("high"))});
+      found.at.push_back({number(at.at("time")), number(at.at("value")), number(at.at("low")), number(at.at("high"))});
+  }
   if (json.contains("error_budget")) r.budget = read_budget(json.at("error_budget"));
 }
 

@@ -94,6 +94,9 @@ class Gresho : public Scene {
     }
     return profile_errors(resting, along_R(0.5), [](const Array3& place, double) { return vortex(place); });
   }
+  std::vector<PaperChoice> paper(const Settings&) const override {
+    return {{"S12: SPHS, and SPH, by the labels of its Fig. 6", {"sph.scheme=SPHS-HCT442"}}};
+  }
   /// Around the centre of the vortex at the end.
   PlotHint plot_hint(const Settings& settings) const override {
     const double boost = settings.real("scene.boost");

@@ -42,6 +42,23 @@ class KelvinHelmholtz final : public ShearLayers {
     return references;
   }
   std::string keys_with_references() const override { return ratio_ == 2 ? "scene.edges=soft" : ""; }
+  std::vector<PaperChoice> paper(const Settings& settings) const override {
+    const std::string of = ratio_ == 2 ? "R10: " : "S12: ", &scheme = settings.text("sph.scheme");
+    std::vector<PaperChoice> choices{{of + "256 particles of the light gas along the box", {"scene.n=256"}},
+                                     {of + "a slab in 3D, 8 layers thick", {"scene.dimension=3", "scene.layers=8"}},
+                                     {of + "sharp edges", {"scene.edges=sharp"}},
+                                     {of + "three growth times", {fmt::format("time.end={}", 3 * growth_time())}}};
+    // R10's OSPH takes the temperatures as they are.
+    if (ratio_ == 8 || !scheme.starts_with("osph"))
+      choices.push_back({of + "temperatures of the density that the kernel measures", {"scene.temperatures=smoothed"}});
+    if (ratio_ == 8) {
+      choices.push_back({"S12: SPHS, with entropies", {"sph.scheme=SPHS-HCT442"}});
+    } else {
+      choices.push_back({"R10: OSPH, with energies and steps of the particles' own, beside SPH and TSPH",
+                         {"sph.scheme=OSPH-HOCT4-442", "time.steps=individual"}});
+    }
+    return choices;
+  }
   GalleryTile gallery() const override {
     GalleryTile tile{.keys = {"scene.n=64", "scene.dimension=2", "scene.edges=soft"}};
     if (ratio_ == 8) tile.keys.emplace_back("scene.masses=multi");

@@ -1,8 +1,11 @@
 #include "src/scenes/mixing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+
+#include "src/scenes/block.hpp"
 
 namespace sphk {
 
@@ -39,6 +42,34 @@ double mode_amplitude_at(const Snapshot& snapshot, double interface, double k) {
   return 2 * std::hypot(S, C) / N;
 }
 
+constexpr int row_count = 256;
+
+/// Mass of all gas and of the gas of dense origin.
+struct Row {
+  double mass = 0, dense = 0;
+};
+
+/// Of the box along y, which is periodic.
+std::vector<Row> rows_along_y(const Snapshot& snapshot) {
+  const auto &x = snapshot.field("Coordinates").values, &m = snapshot.field("Masses").values;
+  const auto& rho = snapshot.field("Densities").values;
+  const Condition is_dense = of_dense_origin(snapshot);
+  const double height = snapshot.box.size[1] / row_count;
+  std::vector<Row> rows(row_count);
+  for (std::size_t i = 0; i < snapshot.size(); ++i) {
+    const double middle = (x[3 * i + 1] - snapshot.box.lower[1]) / height;
+    const double length = std::min<double>(std::pow(m[i] / rho[i], 1.0 / snapshot.dimension) / height, row_count);
+    const double from = middle - length / 2, to = middle + length / 2;
+    for (double row = std::floor(from); row < to; ++row) {
+      const double mass = m[i] * (std::min(row + 1, to) - std::max(row, from)) / length;
+      Row& here = rows[static_cast<std::size_t>(wrapped(row, row_count))];
+      here.mass += mass;
+      if (is_dense(i)) here.dense += mass;
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 
 double mode_amplitude(const Snapshot& snapshot, const LayerGeometry& layers) {
@@ -47,23 +78,14 @@ double mode_amplitude(const Snapshot& snapshot, const LayerGeometry& layers) {
          2;
 }
 
-double mixed_width(const Snapshot& snapshot, const LayerGeometry& layers) {
-  const auto &x = snapshot.field("Coordinates").values, &m = snapshot.field("Masses").values;
-  const Condition is_dense = of_dense_origin(snapshot);
-  std::vector<double> mass(layers.rows), dense(layers.rows);
-  for (std::size_t i = 0; i < snapshot.size(); ++i) {
-    const double place = (x[3 * i + 1] - snapshot.box.lower[1]) / snapshot.box.size[1];
-    const int row = static_cast<int>((place - std::floor(place)) * layers.rows) % layers.rows;
-    mass[row] += m[i];
-    if (is_dense(i)) dense[row] += m[i];
+double mixed_width(const Snapshot& snapshot) {
+  double integral = 0;
+  for (const Row& row : rows_along_y(snapshot)) {
+    if (row.mass == 0) continue;
+    const double Y = row.dense / row.mass;
+    integral += 4 * Y * (1 - Y) * snapshot.box.size[1] / row_count;
   }
-  double width = 0;
-  for (int row = 0; row < layers.rows; ++row) {
-    if (mass[row] == 0) continue;
-    const double Y = dense[row] / mass[row];
-    width += 4 * Y * (1 - Y) * snapshot.box.size[1] / layers.rows;
-  }
-  return width / 2;
+  return integral / 2;
 }
 
 double mixed_entropy_fraction(const Snapshot& snapshot, const LayerGeometry& layers) {
@@ -88,7 +110,7 @@ double crossed_fraction(const Snapshot& snapshot, const LayerGeometry& layers) {
 
 std::vector<std::pair<std::string, double>> layer_measures(const Snapshot& snapshot, const LayerGeometry& layers) {
   return {{"M", mode_amplitude(snapshot, layers)},
-          {"W", mixed_width(snapshot, layers)},
+          {"W", mixed_width(snapshot)},
           {"mixA", mixed_entropy_fraction(snapshot, layers)},
           {"crossed", crossed_fraction(snapshot, layers)}};
 }
@@ -98,6 +120,13 @@ double cloud_mass(const Snapshot& snapshot, const CloudGas& cloud) {
   const double mass =
       mass_where(snapshot, [&](std::size_t i) { return rho[i] > cloud.least_density && u[i] < cloud.highest_energy; });
   return mass / mass_where(snapshot, of_dense_origin(snapshot));
+}
+
+double cold_share(const Snapshot& snapshot, double highest_energy) {
+  const auto& u = snapshot.field("InternalEnergies").values;
+  const Condition is_dense = of_dense_origin(snapshot);
+  const double cold = mass_where(snapshot, [&](std::size_t i) { return is_dense(i) && u[i] < highest_energy; });
+  return cold / mass_where(snapshot, is_dense);
 }
 
 double cloud_velocity(const Snapshot& snapshot) {

@@ -16,7 +16,6 @@ inline constexpr int light_gas = 0, dense_gas = 1;
 struct LayerGeometry {
   std::array<double, 2> interfaces{};
   double wavelength = 0.5;  ///< of the mode along x whose growth is measured
-  int rows = 64;            ///< along y, for the mass fractions
   double A_light = 1, A_dense = 1;
 };
 
@@ -26,10 +25,11 @@ struct LayerGeometry {
 /// interfaces. A moving frame does not change it.
 double mode_amplitude(const Snapshot& snapshot, const LayerGeometry& layers);
 
-/// W: width of a mixed zone, integral of 4 Y (1 - Y) dy, Y(y) the mass fraction of gas of dense origin in a row; 0 as
-/// long as no row holds both gases. Half of the integral over the box: the mean over the two interfaces. A row without
-/// a particle adds nothing.
-double mixed_width(const Snapshot& snapshot, const LayerGeometry& layers);
+/// W: width of a mixed zone, integral of 4 Y (1 - Y) dy, Y(y) the mass fraction of gas of dense origin, over 256 rows
+/// of the box; 0 as long as no row holds both gases. A particle lies evenly over the length (m / rho)^(1/D) along y, so
+/// that W hangs neither on the number of particles nor on which rows hold their centres. Half of the integral over the
+/// box: the mean over the two interfaces.
+double mixed_width(const Snapshot& snapshot);
 
 /// mixA: mass fraction with 0.1 < ln(A / A_dense) / ln(A_light / A_dense) < 0.9.
 double mixed_entropy_fraction(const Snapshot& snapshot, const LayerGeometry& layers);
@@ -48,6 +48,9 @@ struct CloudGas {
 /// cloud_mass: mass of the gas above that density and below that specific energy, over all mass of dense origin. At the
 /// start it is less than 1 by the cloud's skin, whose density the smoothing kernel lowers.
 double cloud_mass(const Snapshot& snapshot, const CloudGas& cloud);
+
+/// cold_share: mass of the gas of dense origin below that specific energy, over all of it: 1 as long as none mixes.
+double cold_share(const Snapshot& snapshot, double highest_energy);
 
 /// cloud_velocity: mean v_x of all gas of dense origin, by mass.
 double cloud_velocity(const Snapshot& snapshot);

@@ -1,6 +1,8 @@
 #include "src/scenes/norms.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace sphk {
 
@@ -9,6 +11,15 @@ namespace {
 /// v, rho and P, or their errors.
 using Triple = std::array<double, 3>;
 constexpr const char* names[] = {"v", "rho", "P"};
+
+/// How an error is taken: what its name has behind v, rho or P, and what it is the mean of.
+struct Kind {
+  const char *suffix, *meaning;
+};
+constexpr Kind kinds[] = {
+    {"", "over bins of the distance between the means of the particles and of the exact solution at their places"},
+    {"_centres", "over bins of the distance between the particles' mean and the exact solution at the bin's centre"},
+    {"_particles", "over particles of the distance from the exact solution at their places"}};
 
 /// Sums one error after the other into a norm.
 struct NormSum {
@@ -31,9 +42,17 @@ struct NormSum {
 };
 
 struct Bin {
-  Triple sum{};
+  Triple sum{}, exact{};
   double particles = 0;
+
+  void add(const Triple& value, const Triple& wanted) {
+    ++particles;
+    for (int k = 0; k < 3; ++k) sum[k] += value[k], exact[k] += wanted[k];
+  }
 };
+
+/// An error norm of each of v, rho and P.
+using Norms = std::array<NormSum, 3>;
 
 Triple compared(const GasState& state, const Array3& direction) {
   return {dot(state.v, direction), state.rho, state.P};
@@ -74,33 +93,42 @@ Errors profile_errors(const Snapshot& snapshot, const ProfileLine& line, const E
   const std::vector<Array3> places = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
   const auto &rho = snapshot.field("Densities").values, &P = snapshot.field("Pressures").values;
   std::vector<Bin> bins(static_cast<std::size_t>(std::max(std::lround((line.to - line.from) / line.width), 0L)));
-  std::array<NormSum, 3> binned, single;
+  std::array<Norms, std::size(kinds)> all;
+  auto& [binned, centred, single] = all;
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
     const Array3 &x = places[i], direction = line.direction(x);
     const double place = (line.coordinate(x) - line.from) / line.width;
     if (!(place >= 0 && place < double(bins.size()))) continue;
     const Triple value = compared({rho[i], v[i], P[i]}, direction);
     const Triple wanted = compared(exact(x, snapshot.time), direction);
-    Bin& bin = bins[static_cast<std::size_t>(place)];
-    ++bin.particles;
-    for (int k = 0; k < 3; ++k) {
-      bin.sum[k] += value[k];
-      single[k].add(value[k] - wanted[k], x);
-    }
+    bins[static_cast<std::size_t>(place)].add(value, wanted);
+    for (int k = 0; k < 3; ++k) single[k].add(value[k] - wanted[k], x);
   }
   for (std::size_t b = 0; b < bins.size(); ++b) {
-    if (bins[b].particles == 0) continue;
+    const Bin& bin = bins[b];
+    if (bin.particles == 0) continue;
     const Array3 centre{line.from + (double(b) + 0.5) * line.width, 0, 0};
-    const Triple wanted = compared(exact(centre, snapshot.time), line.direction(centre));
-    for (int k = 0; k < 3; ++k) binned[k].add(bins[b].sum[k] / bins[b].particles - wanted[k], centre);
+    const Triple there = compared(exact(centre, snapshot.time), line.direction(centre));
+    for (int k = 0; k < 3; ++k) {
+      binned[k].add((bin.sum[k] - bin.exact[k]) / bin.particles, centre);
+      centred[k].add(bin.sum[k] / bin.particles - there[k], centre);
+    }
   }
   Errors errors;
-  for (int k = 0; k < 3; ++k) {
-    if (single[k].samples == 0) continue;
-    errors[names[k]] = binned[k].result();
-    errors[std::string(names[k]) + "_particles"] = single[k].result();
+  const Norms* norms = all.data();
+  for (const auto& [suffix, meaning] : kinds) {
+    for (int k = 0; k < 3; ++k)
+      if ((*norms)[k].samples > 0) errors[std::string(names[k]) + suffix] = (*norms)[k].result();
+    ++norms;
   }
   return errors;
+}
+
+std::string meaning_of_error(const std::string& name) {
+  for (const auto& [suffix, meaning] : kinds)
+    for (const std::string field : names)
+      if (name == field + suffix) return meaning;
+  return "";
 }
 
 }  // namespace sphk

@@ -31,8 +31,13 @@ ProfileLine along_r(double to);
 ProfileLine along_R(double to);
 
 /// Errors of v, rho and P by field name. The plain names compare the mean over the particles of every bin with the
-/// exact value at the bin's centre (S12 eq 44); bins without a particle are left out. "v_particles" and so on compare
-/// every particle with the exact value at its place. Empty when no particle lies in the range.
+/// mean of the exact solution at their places (S12 eq 44), so that particles that carry the exact solution score 0;
+/// bins without a particle are left out. "v_centres" and so on compare it with the exact value at the bin's centre,
+/// as errors of other engines were measured, "v_particles" every particle with the exact value at its place. Empty
+/// when no particle lies in the range.
 Errors profile_errors(const Snapshot& snapshot, const ProfileLine& line, const ExactSolution& exact);
+
+/// What the error of that name is the mean of, in words; empty: profile_errors() has none of that name.
+std::string meaning_of_error(const std::string& name);
 
 }  // namespace sphk

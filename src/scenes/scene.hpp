@@ -32,7 +32,7 @@ struct ErrorNorm {
 
 /// The gas at a place and time.
 using ExactSolution = std::function<GasState(const Array3& x, double t)>;
-/// By field name: "v", "rho", "P", "v_particles", ...
+/// By field name: "v", "rho", "P", "v_centres", "v_particles", ... (norms.hpp)
 using Errors = std::map<std::string, ErrorNorm>;
 /// Columns of history.csv by name.
 using Measures = std::vector<std::pair<std::string, double>>;
@@ -42,6 +42,12 @@ struct Reference {
   std::string measure;  ///< a name of Scene::measures
   double time = 0, low = 0, high = 0;
   bool over_start = false;  ///< of the measure over its value at the start
+};
+
+/// What a paper has where a scene of it has something else by default.
+struct PaperChoice {
+  std::string paper;                ///< such as "R10: 256 particles along the box"
+  std::vector<std::string> keys{};  ///< that bring it, as for --set; none: nothing does
 };
 
 /// How `sphk plot` draws a scene: against which coordinate, which fields, over which range.
@@ -88,7 +94,7 @@ class Scene {
   virtual std::vector<HeatEvent> heatings(const Settings&) const { return {}; }
   /// The exact solution, if there is one.
   virtual ExactSolution exact(const Settings&) const { return {}; }
-  /// The paper's norm and the per-particle L1; empty: no reference.
+  /// The paper's norm and its kin (norms.hpp); empty: no reference.
   virtual Errors errors(const Settings&, const Snapshot&) const { return {}; }
   /// The scene's own columns of history.csv.
   virtual Measures measures(const Settings&, const Snapshot&) const { return {}; }
@@ -96,6 +102,8 @@ class Scene {
   virtual std::vector<Reference> references(const Settings&) const { return {}; }
   /// The keys, as for --set, with which there are some where there are none without; empty: none help.
   virtual std::string keys_with_references() const { return ""; }
+  /// The choices of the paper that the scene is from, for these settings, whether or not they are made (problem.hpp).
+  virtual std::vector<PaperChoice> paper(const Settings&) const { return {}; }
   virtual PlotHint plot_hint(const Settings&) const { return {}; }
   /// By default a run of the scene as it is.
   virtual GalleryTile gallery() const { return {}; }

@@ -21,6 +21,9 @@ class Sedov final : public Explosion {
                  {.min = 0, .max = 0.5});
     declare_real(settings, "scene.ambient_entropy", 0.05, "A = P / rho^gamma of the gas at rest", {.min = 1e-300});
   }
+  std::vector<PaperChoice> paper(const Settings&) const override {
+    return {{"S12: SPHS, and SPH with 42 neighbours and steps of the particles' own", {"sph.scheme=SPHS-HCT442"}}};
+  }
   GalleryTile gallery() const override {
     return {.keys = {"scene.n=48", "sph.scheme=sphs-conservative", "sph.kernel=hoct4", "sph.neighbours=442"}};
   }

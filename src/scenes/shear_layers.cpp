@@ -77,7 +77,6 @@ Measures ShearLayers::measures(const Settings& settings, const Snapshot& snapsho
   const double gamma = settings.real("sph.gamma");
   return layer_measures(snapshot, {.interfaces = flow.interfaces,
                                    .wavelength = flow.wavelength,
-                                   .rows = scene_n(settings),
                                    .A_light = flow.pressure / std::pow(flow.rho_light, gamma),
                                    .A_dense = flow.pressure / std::pow(flow.rho_dense, gamma)});
 }

@@ -67,6 +67,12 @@ class Shearing final : public ShearLayers {
     prefer_unless_set(settings, "sph.neighbours", 32.0);  // V10 sec 3.1
   }
 
+  std::vector<PaperChoice> paper(const Settings&) const override {
+    return {{"V10: steps of the particles' own", {"time.steps=individual"}},
+            {"V10: in 2D", {"scene.dimension=2"}},
+            {"V10: GADGET-2 with conductivity", {"sph.scheme=v10"}},
+            {"V10: u from the measured density and an even pressure", {"scene.temperatures=smoothed"}}};
+  }
   GalleryTile gallery() const override {
     return {.keys = {"scene.n=64", "scene.mach=0.2", "sph.scheme=sphs", "sph.kernel=wc6", "sph.neighbours=100",
                      "time.end=1.684"}};

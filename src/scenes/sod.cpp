@@ -123,6 +123,29 @@ class Sod : public Scene {
   Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     return profile_errors(snapshot, along_x(-0.5, 0.5), exact(settings));
   }
+  std::vector<PaperChoice> paper(const Settings& settings) const override {
+    const std::string& variant = settings.text("scene.variant");
+    std::vector<PaperChoice> choices{
+        {"all: one tube; here its mirror image follows, which waves reach after t = 0.27"}};
+    const auto add = [&](PaperChoice choice) { choices.push_back(std::move(choice)); };
+    if (variant == valckes) {
+      add({"V10: the dense gas on 50 columns 0.002 apart, 400 particles on 0.75 of each; here both are 1/528 apart"});
+      add({"V10: steps of the particles' own", {"time.steps=individual"}});
+    } else if (variant == "r10") {
+      add({"R10: lattices of 24 x 24 x 300 and 12 x 12 x 150",
+           {"scene.n=600", "scene.across=24", "scene.lattice=cubic"}});
+      add({"R10: OSPH, and SPH, with 442 neighbours, energies and steps of the particles' own",
+           {"sph.scheme=OSPH-HOCT4-442", "time.steps=individual"}});
+    } else if (has_equal_masses(settings)) {
+      add({"S12: lattices of 32 x 32 x 400 and 16 x 16 x 200 (N1D = 600)",
+           {"scene.n=800", "scene.across=32", "scene.lattice=cubic"}});
+      add({"S12: SPHS, and SPH with 96 neighbours", {"sph.scheme=SPHS-HCT442"}});
+    } else {
+      add({"S12: a lattice of 16 x 16 x 400", {"scene.n=400", "scene.across=16", "scene.lattice=cubic"}});
+      add({"S12: SPHS", {"sph.scheme=SPHS-HCT442"}});
+    }
+    return choices;
+  }
   PlotHint plot_hint(const Settings&) const override { return {.abscissa = "x", .from = -0.5, .to = 0.5}; }
   GalleryTile gallery() const override {
     if (masses_ == "equal") return {};

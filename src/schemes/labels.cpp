@@ -9,15 +9,23 @@ namespace sphk {
 
 namespace {
 
+/// A scheme and what its paper integrates.
+struct Labelled {
+  const SchemeFacts* scheme;
+  const char* energy;
+};
+
 /// The scheme that a paper means; the other paper's, where this one does not have it.
-const SchemeFacts* scheme_of(const std::string& label, const std::string& suffix, bool r10) {
-  const SchemeFacts* other = nullptr;
+std::optional<Labelled> scheme_of(const std::string& label, const std::string& suffix, bool r10) {
+  const char *own = EntropyForm::name, *others = EnergyForm::name;
+  if (r10) std::swap(own, others);
+  std::optional<Labelled> other;
   const auto is = [&](const char* name) { return name && label == name; };
   for (const Instantiation& row : compiled_schemes()) {
     const SchemeFacts& scheme = *row.scheme;
     if (suffix != scheme.label_suffix) continue;
-    if (is(r10 ? scheme.r10_label : scheme.s12_label)) return &scheme;
-    if (is(r10 ? scheme.s12_label : scheme.r10_label)) other = &scheme;
+    if (is(r10 ? scheme.r10_label : scheme.s12_label)) return Labelled{&scheme, own};
+    if (is(r10 ? scheme.s12_label : scheme.r10_label)) other = Labelled{&scheme, others};
   }
   return other;
 }
@@ -40,12 +48,12 @@ std::optional<KeyValues> keys_of_label(const std::string& text) {
     std::smatch part;
     if (!std::regex_match(text, part, form)) continue;
     const auto kernel = kernel_of(part[2]);
-    const SchemeFacts* scheme = scheme_of(part[1], part[5], part[3].length() > 0);
-    if (!kernel || !scheme) continue;
-    KeyValues keys{{"sph.scheme", scheme->name},
+    const auto labelled = scheme_of(part[1], part[5], part[3].length() > 0);
+    if (!kernel || !labelled) continue;
+    KeyValues keys{{"sph.scheme", labelled->scheme->name},
                    {"sph.kernel", *kernel},
                    {"sph.neighbours", part[4]},
-                   {"sph.energy", EntropyForm::name}};  // whatever the scene prefers
+                   {"sph.energy", labelled->energy}};  // whatever the scene prefers
     if (part[6].matched) keys.emplace_back("scene.masses", "multi");
     if (part[7].matched) keys.emplace_back("scene.lattice", "glass");
     return keys;

@@ -10,8 +10,8 @@ namespace sphk {
 
 /// What a study asks of its points. Where a file and the command line both say, the command line has its way.
 struct StudyQuestions {
-  std::string norm;              ///< whose L1 error counts; empty: v, or the first measure that has references
-  double target = 0;             ///< an error to reach; 0: none
+  std::string norm;   ///< whose L1 error counts, or StudyPlan::measured; empty: v, or the first measure with references
+  double target = 0;  ///< an error to reach; 0: none
   std::vector<double> budgets;   ///< CPU seconds: which method does best with them?
   int repeat = 0;                ///< runs of each point; 0: one
   std::filesystem::path others;  ///< file with points of other engines; empty: none
@@ -24,6 +24,12 @@ struct StudyPlan : StudyQuestions {
   std::string summary;  ///< one line
   std::string scene;
   std::vector<StudyPoint> points;
+  /// The norm is a column of history.csv as it is at the end, which is not known to be an error: nothing says what it
+  /// should be.
+  bool measured = false;
+
+  /// What the norm is, for a table's head: "L1(v)", "mixA at the end".
+  std::string quantity() const { return measured ? norm + " at the end" : "L1(" + norm + ")"; }
 };
 
 /// Is this a study file: TOML with a list of methods or a table of what to vary?

@@ -41,10 +41,6 @@ bool any_joules(const std::vector<StudyResult>& results) {
   return std::ranges::any_of(results, [](const StudyResult& r) { return r.joules.has_value(); });
 }
 
-bool is_field_error(const std::string& norm) {
-  return norm == "v" || norm == "rho" || norm == "P" || norm.ends_with("_particles");
-}
-
 std::optional<double> fitted_order(const std::vector<StudyResult>& of_one_method) {
   const std::vector<StudyResult> results = by_resolution(of_one_method);
   const auto falls = [](const StudyResult& coarse, const StudyResult& fine) { return fine.error < coarse.error; };
@@ -144,13 +140,12 @@ bool on_front(const StudyResult& r, const std::vector<StudyResult>& results) {
          });
 }
 
-Table study_table(const std::vector<StudyResult>& results, const std::string& norm) {
+Table study_table(const std::vector<StudyResult>& results, const std::string& quantity, bool ranked) {
   std::vector<StudyResult> rows = results;
   std::ranges::stable_sort(rows, [](const StudyResult& a, const StudyResult& b) {
     return a.valid() != b.valid() ? a.valid() : a.valid() && a.cpu < b.cpu;
   });
-  Table table{{"method", "n", "particles", "L1(" + norm + ")", "dE/E", "steps", "wall s", "CPU s", "updates/s",
-               "memory", "best"},
+  Table table{{"method", "n", "particles", quantity, "dE/E", "steps", "wall s", "CPU s", "updates/s", "memory", "best"},
               {}};
   if (any_joules(rows)) table.head.insert(table.head.end() - 1, "uJ/update");
   for (const StudyResult& r : rows) {
@@ -168,7 +163,7 @@ Table study_table(const std::vector<StudyResult>& results, const std::string& no
              bytes_text(r.bytes)};
     row.resize(table.head.size(), "-");
     if (r.valid() && r.joules) row[row.size() - 2] = fmt::format("{:.3g}", 1e6 * *r.joules / r.updates);
-    row.back() = !r.valid() ? "failed" : on_front(r, rows) ? "*" : "";
+    row.back() = !r.valid() ? "failed" : ranked && on_front(r, rows) ? "*" : "";
     table.rows.push_back(row);
   }
   return table;

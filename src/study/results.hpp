@@ -27,9 +27,6 @@ struct StudyResult {
 /// Has a machine told the energy of any of these?
 bool any_joules(const std::vector<StudyResult>& results);
 
-/// Is this norm the error of a field, against an exact solution? Others are distances from converged runs.
-bool is_field_error(const std::string& norm);
-
 /// Fitted order of convergence of one method: - d ln(error) / d ln(n) by least squares; nothing below two points, nor
 /// where an error is not below that of the next coarser run.
 std::optional<double> fitted_order(const std::vector<StudyResult>& of_one_method);
@@ -76,8 +73,9 @@ std::vector<std::vector<StudyResult>> by_method(const std::vector<StudyResult>& 
 /// Does no other of the results beat this one both in error and in CPU seconds?
 bool on_front(const StudyResult& result, const std::vector<StudyResult>& results);
 
-/// All results by rising cost, a star at those on the front; failures at the end.
-Table study_table(const std::vector<StudyResult>& results, const std::string& norm);
+/// All results by rising cost, with the quantity that they are judged by; failures at the end. `ranked`: with a star at
+/// those on the front.
+Table study_table(const std::vector<StudyResult>& results, const std::string& quantity, bool ranked = true);
 /// Fitted orders of the methods with several resolutions.
 Table order_table(const std::vector<StudyResult>& results);
 /// What an update of each method costs beside one of the first.

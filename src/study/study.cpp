@@ -7,12 +7,14 @@
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/report/history.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/print.hpp"
 #include "src/report/process.hpp"
 #include "src/report/quantity.hpp"
 #include "src/run/failure.hpp"
 #include "src/run/stop_signal.hpp"
+#include "src/scenes/norms.hpp"
 #include "src/study/child.hpp"
 #include "src/study/others.hpp"
 #include "src/study/study_progress.hpp"
@@ -70,10 +72,14 @@ StudyPlan asked_plan(const StudyRequest& request) {
   return plan;
 }
 
-/// Is it one of the errors against an exact solution?
-bool is_profile_error(std::string norm) {
-  if (constexpr std::string_view each = "_particles"; norm.ends_with(each)) norm.resize(norm.size() - each.size());
-  return norm == "v" || norm == "rho" || norm == "P";
+[[noreturn]] void fail_without_error(const StudyPlan& plan, const Scene& scene) {
+  const std::string wanted = scene.keys_with_references();
+  throw InputError(fmt::format(
+      "{} has neither an exact solution nor values of converged runs{}; --norm NAME takes a column of history.csv as "
+      "it "
+      "is at the end",
+      plan.scene,
+      wanted.empty() ? ", so there is no error to study" : " with these keys; it has them with --set " + wanted));
 }
 
 /// Throws InputError where a point's keys are none or nothing measures its error, before anything runs. Chooses the
@@ -81,25 +87,41 @@ bool is_profile_error(std::string norm) {
 void check(StudyPlan& plan) {
   for (const StudyPoint& point : plan.points) {
     const Problem problem = resolve_problem(plan.scene, overrides_of(keys_of(plan, point)));
-    if (problem.scene->exact(problem.settings)) {
-      if (plan.norm.empty()) plan.norm = "v";
-      if (is_profile_error(plan.norm)) continue;
-    }
+    const bool exact = bool(problem.scene->exact(problem.settings));
+    if (exact && plan.norm.empty()) plan.norm = "v";
+    if (exact && !meaning_of_error(plan.norm).empty()) continue;
     const std::vector<Reference> references = problem.scene->references(problem.settings);
-    if (problem.scene->exact(problem.settings) && references.empty())
-      throw InputError(
-          fmt::format("{} has no error of \"{}\"; take --norm v, rho or P, of all particles with "
-                      "_particles behind it",
-                      plan.scene, plan.norm));
-    if (const std::string wanted = problem.scene->keys_with_references(); references.empty())
+    if (exact && references.empty())
       throw InputError(fmt::format(
-          "{} has neither an exact solution nor values of converged runs{}", plan.scene,
-          wanted.empty() ? ", so there is no error to study" : " with these keys; it has them with --set " + wanted));
+          "{} has no error of \"{}\"; take --norm v, rho or P, against the exact solution at the centres of the bins "
+          "with _centres behind it, of all particles with _particles",
+          plan.scene, plan.norm));
+    if (references.empty()) {
+      if (plan.norm.empty()) fail_without_error(plan, *problem.scene);
+      plan.measured = true;
+      continue;
+    }
     if (plan.norm.empty()) plan.norm = references[0].measure;
     if (std::ranges::find(references, plan.norm, &Reference::measure) == references.end())
       throw InputError(fmt::format("{} has no converged values of \"{}\"; take --norm {}", plan.scene, plan.norm,
                                    references[0].measure));
   }
+}
+
+/// A run's run.json, with what it measured at its end.
+Json what_came_of(const fs::path& folder) {
+  Json run = read_json(folder / "run.json");
+  run["measures"] = read_history(folder / "history.csv").back();
+  return run;
+}
+
+/// Throws InputError where a run did not measure what a study of a measure asks for.
+void expect_measure(const StudyPlan& plan, const Json& runs) {
+  if (!plan.measured || runs.empty() || runs[0]["measures"].contains(plan.norm)) return;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : runs[0]["measures"].items()) names.push_back(name);
+  throw InputError(
+      fmt::format("{} measures no \"{}\"; take --norm with one of {}", plan.scene, plan.norm, fmt::join(names, ", ")));
 }
 
 class Study {
@@ -145,8 +167,8 @@ class Study {
         say("stopped; the same command goes on where it was\n");
         return;
       }
-      const StudyResult result = record_.result(point, plan_.norm);
-      progress.end(result.valid() ? fmt::format("L1({}) {:.4g}", plan_.norm, result.error)
+      const StudyResult result = record_.result(point, plan_.norm, plan_.measured);
+      progress.end(result.valid() ? fmt::format("{} {:.4g}", plan_.quantity(), result.error)
                                   : "failed: " + result.failure);
     }
   }
@@ -204,10 +226,11 @@ class Study {
       spent = watch.wall();
       if (stop_requested() || code == ExitCode::stopped) return;
       if (code == ExitCode::done)
-        runs.push_back(read_json(folder / "run.json"));
+        runs.push_back(what_came_of(folder));
       else
         failure = reason_of(code, log);
     }
+    expect_measure(plan_, runs);
     if (fs::is_directory(folder))
       for (const auto& file : fs::directory_iterator(folder))
         if (file.path().extension() == ".hdf5") fs::remove(file.path());
@@ -231,7 +254,7 @@ class Study {
   std::vector<StudyResult> results() const {
     std::vector<StudyResult> results;
     for (const StudyPoint& point : plan_.points)
-      if (record_.has(point)) results.push_back(record_.result(point, plan_.norm));
+      if (record_.has(point)) results.push_back(record_.result(point, plan_.norm, plan_.measured));
     return results;
   }
 

@@ -63,7 +63,7 @@ StudyRecord read_record(const fs::path& path) {
   return record;
 }
 
-StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm) const {
+StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm, bool measured) const {
   const Json& entry = json["points"][point.name()];
   StudyResult r;
   r.point = point;
@@ -84,12 +84,14 @@ StudyResult StudyRecord::result(const StudyPoint& point, const std::string& norm
     if (run.contains("joules") && run["joules"].is_number())
       r.joules = std::min<double>(r.joules.value_or(1e300), run["joules"]);
   }
+  const auto take = [&](const Json& value) {
+    r.error = number_in(value);
+    if (!std::isfinite(r.error)) r.failure = fmt::format("the norm of \"{}\" is not finite", norm);
+    return r;
+  };
   for (const char* kind : {"errors", "deviations"})
-    if (first.contains(kind) && first[kind].contains(norm)) {
-      r.error = number_in(first[kind][norm]["l1"]);
-      if (!std::isfinite(r.error)) r.failure = fmt::format("the norm of \"{}\" is not finite", norm);
-      return r;
-    }
+    if (!measured && first.contains(kind) && first[kind].contains(norm)) return take(first[kind][norm]["l1"]);
+  if (first.contains("measures") && first["measures"].contains(norm)) return take(first["measures"][norm]);
   r.failure = fmt::format("no norm of \"{}\"; choose another with --norm", norm);
   return r;
 }

@@ -14,8 +14,9 @@ struct StudyRecord {
   nlohmann::ordered_json json;
 
   bool has(const StudyPoint& point) const { return json["points"].contains(point.name()); }
-  /// What the runs of a point that it has came to, by the norm of that field.
-  StudyResult result(const StudyPoint& point, const std::string& norm) const;
+  /// What the runs of a point that it has came to, by the norm of that field; `measured`: by what they measured at
+  /// their end under that name, whether or not anything says what it should be.
+  StudyResult result(const StudyPoint& point, const std::string& norm, bool measured = false) const;
   void save() const;
 };
 

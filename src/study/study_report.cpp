@@ -9,6 +9,7 @@
 #include "src/report/csv.hpp"
 #include "src/report/html.hpp"
 #include "src/report/plot_script.hpp"
+#include "src/scenes/norms.hpp"
 
 namespace sphk {
 
@@ -17,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A method's points, as the drawing script takes them.
-Json line_of(const std::vector<StudyResult>& method, const std::vector<StudyResult>& all) {
-  const auto order = fitted_order(method);
+Json line_of(const StudyPlan& plan, const std::vector<StudyResult>& method, const std::vector<StudyResult>& all) {
+  const auto order = plan.measured ? std::nullopt : fitted_order(method);
   Json points = Json::array();
   for (const StudyResult& r : method)
     points.push_back({{"n", r.n},
@@ -26,7 +27,7 @@ Json line_of(const std::vector<StudyResult>& method, const std::vector<StudyResu
                       {"cpu", r.cpu},
                       {"pairs", r.pairs},
                       {"drift", r.energy_drift},
-                      {"front", on_front(r, all)}});
+                      {"front", !plan.measured && on_front(r, all)}});
   return {{"method", method[0].point.method()}, {"order", order ? Json(*order) : Json(nullptr)}, {"points", points}};
 }
 
@@ -37,17 +38,21 @@ std::string machines_of(const std::vector<OtherPoint>& others) {
 }
 
 std::string meaning_of(const StudyPlan& plan) {
-  const bool field = is_field_error(plan.norm);
+  const std::string error = meaning_of_error(plan.norm);
+  if (plan.measured)
+    return fmt::format(
+        "<p>{} is what the run measured at its end (history.csv); nothing says what it should be. CPU seconds are of "
+        "all threads in the time loop, without set-up and output.</p>\n",
+        html_text(plan.norm));
   return fmt::format(
       "<p>L1({}) is {}. CPU seconds are of all threads in the time loop, without set-up and output{}; every run is a "
       "process of its own, after a trial of three steps that warms the machine up. A star marks runs that no other "
       "beats both in error and in CPU time. Times to an error are interpolated between runs in logarithms.</p>\n",
       html_text(plan.norm),
-      field
-          ? "the mean over bins of the distance between the particles' mean in a bin and the exact solution at its "
-            "centre (Read &amp; Hayfield 2012, eq 44)"
-          : "the distance from converged runs of other methods, summed over the times they are known at, over the sum "
-            "of their values",
+      error.empty()
+          ? "the distance from converged runs of other methods, summed over the times they are known at, over the sum "
+            "of their values"
+          : html_text("the mean " + error + " (Read & Hayfield 2012, eq 44)"),
       plan.repeat > 1 ? fmt::format(", the least of {} runs", plan.repeat) : "");
 }
 
@@ -77,7 +82,7 @@ StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& r
   if (!others.empty())
     add("To reach what others reach", others_table(results, others),
         fmt::format("Their time was measured on another machine: {}.", machines_of(others)));
-  add("Runs by rising cost", study_table(results, plan.norm),
+  add("Runs by rising cost", study_table(results, plan.quantity(), !plan.measured),
       any_joules(results)
           ? ""
           : "The energy that an update takes is left out: this machine does not let it be read (RAPL).");
@@ -87,7 +92,7 @@ StudyAnswers answers_of(const StudyPlan& plan, const std::vector<StudyResult>& r
       failures.rows.push_back({r.point.method(), fmt::format("{:g}", r.n), fmt::format("{:.3g}", r.wall),
                                r.failure.substr(0, r.failure.find('\n'))});
   add("Failures", failures);
-  add("Convergence", order_table(results));
+  if (!plan.measured) add("Convergence", order_table(results));
   add("Speed", cost_table(results));
   return answers;
 }
@@ -114,7 +119,7 @@ void write_table(const std::filesystem::path& path, const std::vector<StudyResul
 void draw_study(const std::filesystem::path& path, const StudyPlan& plan, const std::string& machine,
                 const std::vector<StudyResult>& results, const std::vector<OtherPoint>& others) {
   Json lines = Json::array();
-  for (const auto& group : by_method(results)) lines.push_back(line_of(group, results));
+  for (const auto& group : by_method(results)) lines.push_back(line_of(plan, group, results));
   if (lines.empty()) return;
   Json failures = Json::array(), elsewhere = Json::array();
   for (const StudyResult& r : results)
@@ -126,8 +131,9 @@ void draw_study(const std::filesystem::path& path, const StudyPlan& plan, const 
       {"study", lines},
       {"failures", failures},
       {"others", elsewhere},
-      {"norm", plan.norm},
-      {"relative", !is_field_error(plan.norm)},
+      {"quantity", plan.measured                         ? plan.norm
+                   : meaning_of_error(plan.norm).empty() ? "$L_1$ deviation of " + plan.norm
+                                                         : "$L_1$ error of " + plan.norm},
       {"title", fmt::format("{} on {}", plan.scene, machine)},
       {"target", plan.target},
       {"out",

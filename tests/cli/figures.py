@@ -236,6 +236,13 @@ class Figures(WithRun):
             self.assertAlmostEqual(float(row["error"]), abs(M - 0.0105) / 0.0105, places=6)
         self.assertIn("scene.edges=soft", self.sphk("study", "kh12", "-n", "8", code=2))
         self.assertIn("neither an exact solution", self.sphk("study", "shearing", "-n", "8", code=2))
+        self.sphk("study", "kh12", "-n", "8", "--norm", "mixA", "--set", "scene.dimension=2", "--set", "time.end=0.1",
+                  "--out", "measured")
+        history = self.rows("measured/points/n-8/history.csv")
+        self.assertEqual(float(self.rows("measured/study.csv")[0]["error"]), float(history[-1]["mixA"]))
+        text = self.sphk("study", "kh12", "-n", "8", "--norm", "banana", "--set", "scene.dimension=2",
+                         "--set", "time.end=0.1", "--out", "wrong", code=2)
+        self.assertIn("mixA", text, "what it does measure")
         self.assertIn("--norm M", self.sphk("study", "mcnally", "--norm", "v", code=2))
 
     def test_a_stopped_study_goes_on(self):

@@ -21,6 +21,7 @@ TEST(Deviations, CanBeOfTheShareOfTheStart) {
   Deviations deviations({{"cloud", 1, 0.4, 0.6, true}});
   deviations.add(0, {{"cloud", 0.8}});
   deviations.add(1, {{"cloud", 0.24}});
+  EXPECT_TRUE(deviations.by_measure().at("cloud").over_start);
   EXPECT_NEAR(deviations.by_measure().at("cloud").at[0].value, 0.3, 1e-15);
   EXPECT_NEAR(deviations.by_measure().at("cloud").l1(), 0.1 / 0.5, 1e-15);
 }

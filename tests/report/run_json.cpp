@@ -104,6 +104,7 @@ TEST(RunJson, ReadAgainGivesTheSameFinalTable) {
   r.cpu_seconds = 1.5;
   r.conservation.energy = 1e-5;
   r.deviations["M"].at.push_back({1.5, 0.1, 0.09, 0.12});
+  r.deviations["cloud_mass"] = {.at = {{1, 0.5, 0.4, 0.6}}, .over_start = true};
   r.budget = ErrorBudget{
       .all = {1000, 0.1, 0.2, 0.3}, .boundary = {}, .bulk = {900, 0.05, 0.1, 0.2}, .R = 0.01, .epsilon = 0.02};
   r.warnings = {"look here"};

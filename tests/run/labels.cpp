@@ -17,16 +17,16 @@ TEST(Labels, StandForSchemeKernelAndNeighbours) {
   EXPECT_EQ(keys_of_label("SPH-CS42"),
             (KeyValues{
                 {"sph.scheme", "gadget2"}, {"sph.kernel", "cs"}, {"sph.neighbours", "42"}, {"sph.energy", "entropy"}}));
-  EXPECT_EQ(
-      keys_of_label("TSPH-HOCT4-442"),
-      (KeyValues{
-          {"sph.scheme", "tsph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "entropy"}}));
-  EXPECT_EQ(
-      keys_of_label("OSPH-HOCT4-442"),
-      (KeyValues{
-          {"sph.scheme", "osph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "entropy"}}));
+  EXPECT_EQ(keys_of_label("TSPH-HOCT4-442"),
+            (KeyValues{
+                {"sph.scheme", "tsph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "energy"}}));
+  EXPECT_EQ(keys_of_label("OSPH-HOCT4-442"),
+            (KeyValues{
+                {"sph.scheme", "osph"}, {"sph.kernel", "hoct4"}, {"sph.neighbours", "442"}, {"sph.energy", "energy"}}));
   EXPECT_EQ((*keys_of_label("SPH-CS-128"))[0].second, "sph") << "R10 write a dash, and their SPH has no grad-h";
   EXPECT_EQ((*keys_of_label("SPH-WC2-100"))[2].second, "100");
+  EXPECT_EQ((*keys_of_label("SPH-CS-128"))[3].second, "energy") << "R10 sec 3.2";
+  EXPECT_EQ((*keys_of_label("SPHS-HOCT4-442"))[3].second, "entropy") << "S12's, written as R10 would";
   EXPECT_EQ(keys_of_label("SPHS-CT128e-multi-g"), (KeyValues{{"sph.scheme", "sphs-morris"},
                                                              {"sph.kernel", "ct"},
                                                              {"sph.neighbours", "128"},

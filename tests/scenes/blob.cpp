@@ -61,6 +61,25 @@ TEST(Blob, RunsForTwoGrowthTimes) {
   EXPECT_NEAR(settings_of(blob_scene).real("time.end"), 2 * 3.7479, 1e-4);
 }
 
+// tau_KH = 3.7479; the bands of converged grid runs, over the start where the measure is not 1 there. The share of cold
+// gas turns at T = T_wind / 2, u = 0.45: of a cloud whose every second particle is a little hotter half is left.
+TEST(Blob, KnowsWhatGridsFind) {
+  const Settings settings = settings_of(blob_scene, {{"scene.n", "16"}});
+  const auto references = blob_scene.references(settings);
+  ASSERT_EQ(references.size(), 4u);
+  for (const Reference& r : references) EXPECT_EQ(r.over_start, r.measure == "cloud_mass");
+  EXPECT_NEAR(references[1].time, 3.7479, 1e-4);
+  EXPECT_EQ(references[1].low, 0.461);
+  EXPECT_EQ(references[1].high, 0.546);
+  EXPECT_EQ(references[3].measure, "cold_share");
+  ParticleSet gas = blob_scene.build(settings);
+  std::size_t dense = 0;
+  for (std::size_t i = 0; i < gas.size(); ++i)
+    if (gas.tag[i] == 1) gas.u[i] = dense++ % 2 == 0 ? 0.449 : 0.451;
+  const auto start = start_snapshot(gas, 5.0 / 3, [](const Array3&) { return 1.0; });
+  EXPECT_NEAR(blob_scene.measures(settings, start)[1].second, 0.5, 0.5 / double(dense));
+}
+
 // The skin's motion is radial, at most 0.06 * 2.7 = 0.162 exp(2 (r - 1)), and comes near to that somewhere.
 TEST(Blob, SkinIsDisturbedRadially) {
   const ParticleSet gas = gas_of({{"scene.n", "48"}});
@@ -83,11 +102,13 @@ TEST(Blob, StartsWholeAndAtRest) {
   const auto rho = [](const Array3& x) { return distance(x) < 1 ? 10.0 : 1.0; };
   const auto start = start_snapshot(blob_scene.build(settings), 5.0 / 3, rho);
   const auto measures = blob_scene.measures(settings, start);
-  ASSERT_EQ(measures.size(), 2u);
+  ASSERT_EQ(measures.size(), 3u);
   EXPECT_EQ(measures[0].first, "cloud_mass");
   EXPECT_NEAR(measures[0].second, 1, 1e-12);
-  EXPECT_EQ(measures[1].first, "cloud_velocity");
-  EXPECT_NEAR(measures[1].second, 0, 1e-15);
+  EXPECT_EQ(measures[1].first, "cold_share");
+  EXPECT_EQ(measures[1].second, 1);
+  EXPECT_EQ(measures[2].first, "cloud_velocity");
+  EXPECT_NEAR(measures[2].second, 0, 1e-15);
 }
 
 }  // namespace

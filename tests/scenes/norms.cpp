@@ -29,6 +29,30 @@ TEST(Norms, BinsMeansBeforeTheyAreCompared) {
   EXPECT_EQ(errors.at("rho").l1, 0);
 }
 
+// v = 100 x. Of particles at 0.002 and 0.004 the mean is 0.3, while v is 0.5 at the centre of the bin [0, 0.01).
+TEST(Norms, MeansAreComparedWithTheMeanOverTheSamePlaces) {
+  const auto line = [](const Array3& x, double) { return GasState{1, {100 * x[0], 0, 0}, 1}; };
+  const auto found = [&](double first, double second, double excess) {
+    ParticleSet gas;
+    gas.x = {{first, 0, 0}, {second, 0, 0}};
+    const auto state = [&](const Array3& x) { return GasState{1, {100 * x[0] + excess, 0, 0}, 1}; };
+    return profile_errors(snapshot_of(gas, 0, state), along_x(0, 0.01), line);
+  };
+  EXPECT_EQ(found(0.002, 0.004, 0).at("v").linf, 0);
+  EXPECT_NEAR(found(0.002, 0.004, 0).at("v_centres").l1, 0.2, 1e-15);
+  EXPECT_NEAR(found(0.002, 0.004, 0.5).at("v").l1, 0.5, 1e-15);
+  EXPECT_NEAR(found(0.002, 0.004, 0.5).at("v_centres").l1, 0.3, 1e-15);
+}
+
+TEST(Norms, HaveAMeaningEach) {
+  ParticleSet gas;
+  gas.x = {{0.5, 0, 0}};
+  for (const auto& [name, norm] :
+       profile_errors(snapshot_of(gas, 0, [](const Array3&) { return GasState{}; }), along_x(0, 1), at_rest))
+    EXPECT_FALSE(meaning_of_error(name).empty()) << name;
+  for (const char* name : {"M", "", "v_middles", "_particles"}) EXPECT_EQ(meaning_of_error(name), "") << name;
+}
+
 // Empty bins are left out: the mean is over the one that has a particle.
 TEST(Norms, LeavesOutEmptyBins) {
   ParticleSet gas;

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "src/engine/errors.hpp"
+#include "src/schemes/registry.hpp"
 #include "src/study/others.hpp"
+#include "tests/compiled_schemes.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace sphk {
@@ -112,6 +115,70 @@ TEST_F(StudyPlans, OfPresetsHaveUnlikePoints) {
     EXPECT_FALSE(preset.summary.empty()) << preset.name;
     EXPECT_TRUE(preset.others.empty() || !read_others(preset.others).empty()) << preset.name;
   }
+}
+
+/// The settings of a preset's points.
+std::vector<Problem> problems_of(const std::string& name) {
+  const StudyPlan plan = read_study_file(std::filesystem::path(SPHK_STUDIES) / (name + ".toml"));
+  std::vector<Problem> problems;
+  for (const StudyPoint& point : plan.points) {
+    KeyTexts keys = plan.fixed;
+    keys.insert(keys.end(), point.keys.begin(), point.keys.end());
+    problems.push_back(resolve_problem(plan.scene, overrides_of(keys)));
+  }
+  return problems;
+}
+
+TEST_F(StudyPlans, OfPresetsCanBeRun) {
+  if (!is_compiled("sphs-morris")) GTEST_SKIP();
+  for (const StudyPlan& preset : study_files_in(SPHK_STUDIES))
+    for (const Problem& problem : problems_of(preset.name)) {
+      const ParticleSet gas = problem.scene->build(with_lattice(problem.settings));
+      EXPECT_GT(gas.size(), 0u) << preset.name;
+      EXPECT_NO_THROW(describe(simulation_settings(problem.settings), gas)) << preset.name;
+    }
+}
+
+// What the appendices vary, and on which problem.
+TEST_F(StudyPlans, OfAppendicesAreTheirOwnProblems) {
+  if (!is_compiled("sphs-morris") || !is_compiled("tsph")) GTEST_SKIP();
+  const auto is_sphs = [](const Settings& s) {
+    return s.text("sph.scheme") == "sphs" && s.text("sph.kernel") == "hoct4" && s.real("sph.neighbours") == 442 &&
+           s.text("sph.energy") == "entropy" && s.real("time.courant") == 0.2 && s.text("time.steps") == "individual";
+  };
+  const auto strengths = [](const Settings& s) {
+    return std::array{s.real("viscosity.alpha"), s.real("dissipation.entropy"), s.real("dissipation.mass")};
+  };
+  std::set<std::array<double, 3>> scanned, ablated;
+  for (const Problem& p : problems_of("dissipation-scan")) {
+    EXPECT_TRUE(is_sphs(p.settings) && p.settings.text("scene.lattice") == "cubic");
+    EXPECT_EQ(p.scene->name(), "sod") << "S12 App. C";
+    scanned.insert(strengths(p.settings));
+  }
+  EXPECT_EQ(scanned, (decltype(scanned){{0.1, 1, 1}, {1, 1, 1}, {5, 1, 1}, {1, 0.1, 1}, {1, 5, 1}}));
+  for (const Problem& p : problems_of("ablation")) {
+    EXPECT_TRUE(is_sphs(p.settings) && p.settings.text("scene.masses") == "multi");
+    EXPECT_EQ(p.scene->name(), "kh18") << "S12 App. F";
+    EXPECT_EQ(p.settings.text("scene.temperatures"), "smoothed");
+    EXPECT_EQ(p.settings.integer("scene.dimension"), 3);
+    ablated.insert(strengths(p.settings));
+  }
+  EXPECT_EQ(ablated, (decltype(ablated){{1, 0, 0}, {1, 1, 0}, {1, 1, 1}}));
+  std::vector<double> neighbours;
+  for (const Problem& p : problems_of("neighbour-scan")) {
+    EXPECT_EQ(p.scene->name(), "kh12") << "R10 App. A";
+    EXPECT_EQ(p.settings.text("sph.scheme") + p.settings.text("sph.kernel"), "tsphct");
+    EXPECT_EQ(p.settings.text("sph.energy"), "energy");
+    EXPECT_EQ(p.settings.text("scene.edges") + p.settings.text("scene.temperatures"), "sharpsmoothed");
+    EXPECT_TRUE(p.settings.flag("output.errors"));
+    neighbours.push_back(p.settings.real("sph.neighbours"));
+  }
+  EXPECT_EQ(neighbours, (std::vector<double>{32, 64, 128}));
+  std::set<std::string> methods;
+  for (const Problem& p : problems_of("gresho-convergence"))
+    methods.insert(p.settings.text("sph.scheme") + " " + p.settings.text("sph.kernel") + " " +
+                   to_text(p.settings.real("sph.neighbours")) + " " + p.settings.text("scene.lattice"));
+  EXPECT_EQ(methods.size(), 7u) << "S12 Fig. 6";
 }
 
 TEST_F(StudyPlans, TakeOtherEnginesFromCsv) {

@@ -127,20 +127,25 @@ TEST(StudyResults, OthersAreMetByTheFastestMethod) {
 TEST(StudyResults, ANormThatIsNoNumberIsAFailure) {
   const auto run = nlohmann::ordered_json::parse(R"({"n": 8, "particles": 512, "steps": 3, "updates": 1536,
     "pair_interactions": 5e4, "peak_memory_bytes": 1e6, "wall_seconds": 2, "cpu_seconds": 1,
-    "conservation": {"energy": null}, "deviations": {"mass": {"l1": null}, "M": {"l1": 0.25}}})");
+    "conservation": {"energy": null}, "deviations": {"mass": {"l1": null}, "M": {"l1": 0.25}},
+    "measures": {"M": 0.4, "W": 0.1, "E0": null}})");
   const StudyPoint point{{{"scene.n", "8"}}};
   const StudyRecord record{"study.json", {{"points", {{point.name(), {{"runs", {run}}}}}}}};
   EXPECT_NE(record.result(point, "mass").failure.find("\"mass\" is not finite"), std::string::npos);
   EXPECT_TRUE(std::isnan(record.result(point, "M").energy_drift));
   EXPECT_TRUE(record.result(point, "M").valid());
   EXPECT_EQ(record.result(point, "M").error, 0.25);
+  EXPECT_EQ(record.result(point, "M", true).error, 0.4) << "as it is, not its distance from converged runs";
+  EXPECT_EQ(record.result(point, "W").error, 0.1);
+  EXPECT_FALSE(record.result(point, "E0").valid());
+  EXPECT_FALSE(record.result(point, "banana", true).valid());
 }
 
 TEST(StudyResults, TheTableIsSortedByCostWithFailuresLast) {
   std::vector<StudyResult> results{result("slow", 1, 0.1, 16), result("broken", 1, 0, 0), result("quick", 1, 0.4, 1)};
   results[1].failure = "a clear sentence";
   results[2].joules = 3, results[2].updates = 1e6;
-  const Table table = study_table(results, "v");
+  const Table table = study_table(results, "L1(v)");
   EXPECT_EQ(table.rows[0][0], "quick");
   EXPECT_EQ(table.rows[1][0], "slow");
   EXPECT_EQ(table.rows[2][0], "broken");

@@ -21,6 +21,7 @@ MEASURES = {
     "mixA": "mass of mixed entropy",
     "crossed": "dense gas outside its layer",
     "cloud_mass": "mass that is still cloud",
+    "cold_share": "cloud's gas below $T_{wind}/2$",
     "cloud_velocity": "$v_x$ of the cloud's gas",
     "peak_density": r"largest density $\rho$",
     "E0_mean": "mean $|E_0|$",
@@ -111,17 +112,20 @@ def draw_references(axes, history, name, references):
     shown = [r for r in references if r["measure"] == name and r["time"] <= history["time"][-1] * (1 + 1e-6)]
     if not shown:
         return
-    unit = np.array([history[name][0] if r["over_start"] else 1 for r in shown])
-    low, high = (unit * [r[side] for r in shown] for side in ("low", "high"))
+    low, high = (np.array([r[side] for r in shown]) for side in ("low", "high"))
     axes.errorbar([r["time"] for r in shown], (low + high) / 2, yerr=(high - low) / 2, fmt="D", ms=7, mfc="none",
                   color="black", capsize=4, label="converged runs", zorder=3)
     axes.legend(loc="best")
 
 
 def draw_measure(axes, history, name, references):
+    label = MEASURES.get(name, name.replace("_", " "))
+    if any(r["over_start"] for r in references if r["measure"] == name):
+        history = {**history, name: history[name] / history[name][0]}
+        label += ", over its start"
     draw_lines(axes, history, {name: name})
     draw_references(axes, history, name, references)
-    axes.set_ylabel(MEASURES.get(name, name.replace("_", " ")))
+    axes.set_ylabel(label)
     if name in GROWING and (history[name] > 0).all():
         axes.set_yscale("log")
         plain_ticks(axes.yaxis, *axes.get_ylim())

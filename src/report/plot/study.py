@@ -54,7 +54,7 @@ def draw_by_method(axes, lines, looks, key):
 
 def draw_study(work):
     lines, failures, others = work["study"], work["failures"], work["others"]
-    error = f"$L_1$ {'deviation' if work['relative'] else 'error'} of {work['norm']}"
+    error = work["quantity"]
     figure, panels = plt.subplots(2, 2, figsize=(14, 11), constrained_layout=True)
     (seconds, order), (pairs, drift) = panels
     points = [point for line in lines for point in line["points"]]
