@@ -252,7 +252,7 @@ void Group::link(const std::string& name, const std::string& path) {
 }
 
 File File::create() {
-  constexpr std::size_t increment = std::size_t{1} << 24;
+  constexpr std::size_t increment = std::size_t{1} << 20;
   static std::atomic<unsigned> made = 0;  // HDF5 refuses a second file of the same name
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -273,6 +273,12 @@ File File::open(const std::filesystem::path& path) {
            path.string() + (locked.empty() ? ": this is no readable HDF5 file; copy or write it anew" : locked));
   }
   return File(std::move(id));
+}
+
+double File::bytes() const {
+  hsize_t size = 0;
+  if (H5Fflush(id_.get(), H5F_SCOPE_LOCAL) < 0 || H5Fget_filesize(id_.get(), &size) < 0) fail("its size cannot be had");
+  return static_cast<double>(size);
 }
 
 void File::save(const std::filesystem::path& path) const {

@@ -160,6 +160,7 @@ class File : public Group {
  public:
   static File create();
   static File open(const std::filesystem::path& path);
+  double bytes() const;
   /// Writes the file to `path`, all or nothing; errors as for write_atomically.
   void save(const std::filesystem::path& path) const;
 

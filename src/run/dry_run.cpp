@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "src/io/snapshot_groups.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/quantity.hpp"
+#include "src/run/run_output.hpp"
 #include "src/run/trial_gas.hpp"
 #include "src/schemes/registry.hpp"
 
@@ -16,23 +18,25 @@ namespace sphk {
 
 namespace {
 
-/// Numbers in a snapshot's fields.
-double numbers_of(const Snapshot& snapshot) {
-  double numbers = 0;
-  for (const Field& field : snapshot.fields) numbers += static_cast<double>(field.values.size());
-  return numbers;
+/// What an output holds of each particle beside the state, the file apart: order and ids, and of the fields, which go
+/// as the file grows, one.
+constexpr double bytes_beside_the_file = 4 + 8 + 3 * 8;
+
+double bytes_of(const SavedState& saved) {
+  double bytes = 0;
+  for (const auto& [name, block] : saved) bytes += static_cast<double>(block.size());
+  return bytes;
 }
 
-/// Size of a snapshot on disk without compression: its fields in double, ids, SWIFT's h, and what VTK wants of points.
-double snapshot_bytes(const Snapshot& snapshot) {
-  return 8 * numbers_of(snapshot) + (8 + 8 + 17) * static_cast<double>(snapshot.size());
-}
-
-/// What an output holds of the particles beside the state: order and ids, the fields, one of them at a time twice while
-/// the file grows in memory as the fields go.
-double output_bytes(const Snapshot& snapshot) {
-  constexpr double order_and_ids = 4 + 8, largest_field = 3 * 8;
-  return snapshot_bytes(snapshot) + (order_and_ids + largest_field) * static_cast<double>(snapshot.size());
+/// Writes a snapshot to memory, as a run does before it goes to the disk, and tells what that and all before it took.
+void rehearse_output(DryRun& run, const Problem& problem, const Simulation& simulation) {
+  const double tried = static_cast<double>(run.trial_particles), missing = run.particles - tried;
+  const SnapshotInfo info = snapshot_info(*problem.scene, problem.settings);
+  const double file = snapshot_file(simulation.snapshot(), info, Compression::none).bytes() / tried;
+  run.output_bytes = run.snapshots * run.particles * file;
+  run.peak_bytes = peak_memory_bytes() + missing * (run.bytes_per_particle + file + bytes_beside_the_file);
+  run.checkpoint_bytes = run.particles * bytes_of(simulation.save()) / tried;
+  run.available_bytes = available_memory_bytes();
 }
 
 }  // namespace
@@ -40,8 +44,7 @@ double output_bytes(const Snapshot& snapshot) {
 DryRun dry_run(const Problem& problem) {
   const Settings& settings = problem.settings;
   const SimulationSettings s = simulation_settings(settings);
-  const double before = memory_bytes();
-  const TrialGas trial = trial_gas(*problem.scene, settings);
+  TrialGas trial = trial_gas(*problem.scene, settings);
   const auto simulation = make_simulation(trial.gas, s);
   DryRun run{.scene = problem.scene->name(),
              .scheme = s.scheme,
@@ -54,19 +57,16 @@ DryRun dry_run(const Problem& problem) {
              .trial_particles = trial.gas.size(),
              .end = settings.real("time.end"),
              .snapshots = 1.0 + static_cast<double>(settings.integer("output.snapshots"))};
+  trial.gas = {};
   const Stopwatch watch;
   for (int step = 0; step < run.trial_steps && simulation->time() < run.end; ++step) simulation->step(run.end);
-  const double as_many = trial.particles / static_cast<double>(trial.gas.size());
-  run.seconds_per_step = as_many * watch.wall() / run.trial_steps;
+  run.seconds_per_step = run.particles / static_cast<double>(run.trial_particles) * watch.wall() / run.trial_steps;
   run.dt = simulation->last_step().dt / trial.refinement;
   run.steps = run.trial_steps + std::max(0.0, std::ceil((run.end - simulation->time()) / run.dt));
   if (const auto limit = settings.integer("time.max_steps"); limit >= 0)
     run.steps = std::min(run.steps, static_cast<double>(limit));
   run.bytes_per_particle = simulation->costs().bytes_per_particle;
-  const Snapshot snapshot = simulation->snapshot();
-  run.output_bytes = as_many * run.snapshots * snapshot_bytes(snapshot);
-  run.peak_bytes = before + run.particles * run.bytes_per_particle + as_many * output_bytes(snapshot);
-  run.available_bytes = available_memory_bytes();
+  rehearse_output(run, problem, *simulation);
   return run;
 }
 
@@ -104,6 +104,7 @@ std::string DryRun::json() const {
                                           {"dimension", dimension},
                                           {"bytes_per_particle", bytes_per_particle},
                                           {"peak_memory_bytes", peak_bytes},
+                                          {"checkpoint_bytes", checkpoint_bytes},
                                           {"dt", dt},
                                           {"end", end},
                                           {"steps", steps},

@@ -146,6 +146,20 @@ TEST_F(Executable, AJsonLogEndsWithWhatTheRunCameTo) {
   EXPECT_EQ(told["dry_run"]["steps"], 3);
 }
 
+/// What is told of memory beforehand is what the run takes, for all particles tried and for more than are tried.
+TEST_F(Executable, TellsTheMemoryOfARunBeforehand) {
+  for (const std::string size :
+       {"uniform -n 40", "uniform -n 500 --set scene.dimension=2 --kernel cs --neighbours 20"}) {
+    const std::string command = "run " + size + " --set scene.lattice=cubic --scheme sph --steps 1";
+    const auto told = last_object(sphk(command + " --dry-run --json-log").text)["dry_run"];
+    ASSERT_EQ(sphk(command + " --overwrite --out run").code, 0);
+    const auto json = nlohmann::json::parse(read_text(folder.path() / "run/run.json"));
+    const double taken = json["peak_memory_bytes"], expected = told["peak_memory_bytes"];
+    EXPECT_NEAR(expected, taken, 0.15 * taken) << size;
+    EXPECT_EQ(told["particles"], json["particles"]);
+  }
+}
+
 TEST_F(Executable, RatesKeepTheOrderOfTheFile) {
   ASSERT_EQ(sphk(small_run).code, 0);
   const Result result =
