@@ -41,6 +41,7 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& c
   constexpr int points = 4000;
   const double gamma = problem.settings.real("sph.gamma");
   const bool from_centre = hint.abscissa == "R" || hint.abscissa == "r";
+  const Array3 beside = from_centre ? hint.velocity : Array3{};
   const int axis = hint.abscissa == "y" ? 1 : 0;
   const std::string along = hint.abscissa == "R"   ? "v_R"
                             : hint.abscissa == "r" ? "v_r"
@@ -55,8 +56,8 @@ Json exact_profile(const Problem& problem, const PlotHint& hint, const Array3& c
     profile["abscissa"].push_back(s);
     profile["rho"].push_back(state.rho);
     profile["P"].push_back(state.P);
-    profile[along].push_back(state.v[0] - hint.velocity[0]);
-    if (hint.abscissa != "r") profile[across].push_back(state.v[1] - hint.velocity[1]);
+    profile[along].push_back(state.v[0] - beside[0]);
+    if (hint.abscissa != "r") profile[across].push_back(state.v[1] - beside[1]);
     profile["u"].push_back(state.u(gamma));
     profile["A"].push_back(state.P / std::pow(state.rho, gamma));
   }

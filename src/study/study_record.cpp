@@ -55,7 +55,7 @@ StudyRecord open_record(const StudyPlan& plan, const fs::path& folder) {
 
 StudyRecord read_record(const fs::path& path) {
   StudyRecord record{fs::is_directory(path) ? path / "study.json" : path, {}};
-  require_file(record.file);
+  if (fs::exists(record.file)) require_file(record.file);
   record.json = read_json(record.file);
   if (record.json.is_discarded() || !record.json.contains("points") || !record.json.contains("fixed"))
     throw InputError(

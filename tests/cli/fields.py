@@ -1,4 +1,4 @@
-"""Figures of any field, and what studies do with streams and files. Usage: fields.py SPHK; exit code 77: no matplotlib."""
+"""Figures of any field; streams and files of studies. Usage: fields.py SPHK; exit code 77: no matplotlib."""
 
 import datetime
 import json
@@ -42,9 +42,10 @@ class Fields(WithRun):
         for field in ("alpha", "E0", "E0_R", "v_phi"):
             self.assertEqual(self.sphk("plot", "vortex", "--profile", field).split(),
                              [f"vortex/snap_0001_profile_{field}.png"])
-        self.assertGreater(share(colours(os.path.join(self.folder, "vortex/snap_0001_profile_v_phi.png"))[0], "#d55e00"),
-                           1e-3, "the exact line")
-        self.sphk("run", "sod", "--set", "scene.dimension=1", "-n", "16", "--scheme", "gadget2", "--steps", "1", "--out", "plain")
+        pixels = colours(os.path.join(self.folder, "vortex", "snap_0001_profile_v_phi.png"))[0]
+        self.assertGreater(share(pixels, "#d55e00"), 1e-3, "the exact line")
+        self.sphk("run", "sod", "--set", "scene.dimension=1", "-n", "16", "--scheme", "gadget2", "--steps", "1",
+                  "--out", "plain")
         self.assertIn("no field \"alpha\"", self.sphk("plot", "plain", "--profile", "alpha", code=2))
 
     def test_run_json_tells_who_ran_what_where_and_when(self):
@@ -58,7 +59,8 @@ class Fields(WithRun):
         self.assertRegex(run["kokkos"], r"^\d+\.\d+\.\d+ for [A-Z]")
 
     def test_a_study_goes_on_when_nobody_reads_what_it_says(self):
-        study = [SPHK, "study", "sod", "-n", "8,16", "--scheme", "sph,gadget2", "--set", "scene.dimension=1", "--out", "unread"]
+        study = [SPHK, "study", "sod", "-n", "8,16", "--scheme", "sph,gadget2", "--set", "scene.dimension=1", "--out",
+                 "unread"]
         running = subprocess.Popen(study, cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         running.stdout.readline()
         running.stdout.close()
@@ -76,9 +78,10 @@ class Fields(WithRun):
             self.assertIn(word, self.sphk("study", "sod", "-n", "8", "--others", others, "--out", "never", code=2))
         self.assertIn("pipe", self.sphk("study", "compare", "pipe.csv", "folder", code=2))
         self.assertFalse(os.path.exists(os.path.join(self.folder, "never")))
-        os.link(os.path.join(self.folder, "run", "snap_0000.hdf5"), os.path.join(self.folder, "folder", "snap_0000.hdf5"))
+        snapshot, folder = "snap_0000.hdf5", os.path.join(self.folder, "folder")
+        os.link(os.path.join(self.folder, "run", snapshot), os.path.join(folder, snapshot))
         for name, command in (("run.json", ("info", "folder")), ("history.csv", ("plot", "folder"))):
-            os.mkfifo(os.path.join(self.folder, "folder", name))
+            os.mkfifo(os.path.join(folder, name))
             self.assertIn(f"folder/{name}: this is a pipe", self.sphk(*command, code=2))
 
 

@@ -160,7 +160,8 @@ def draw_one_field(snapshots, errors, name, view, path):
     figure, panels, rows = panels_of(len(snapshots), 3, 5.2, 4.0, header=0.9, sharex=True)
     for axes, snapshot, error in zip(panels, snapshots, errors):
         draw_panel(axes, snapshot, name, error)
-        axes.set_title(f"{snapshot.item['label']}, {axes.get_title()}" if error is not None else snapshot.item["label"])
+        label, title = snapshot.item["label"], axes.get_title()
+        axes.set_title(f"{label}, {title}" if title else label)
     share_limits(panels)
     set_view(panels, view)
     for axes, snapshot in zip(panels, snapshots):

@@ -1,4 +1,4 @@
-"""What the figures need of a snapshot: positions, any of its fields by name, and coordinates along the scene's abscissa."""
+"""What the figures need of a snapshot: positions, any field by name, and coordinates along the scene's abscissa."""
 
 import h5py
 import numpy as np
