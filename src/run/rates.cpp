@@ -82,6 +82,7 @@ RatesResult rates(const RatesRequest& request) {
   RatesResult result{fields.size(), particles.size(), simulation->warnings()};
   if (const auto* file = dynamic_cast<const FileScene*>(problem.scene))
     result.warnings.insert(result.warnings.begin(), file->remarks().begin(), file->remarks().end());
+  for (const std::string& remark : limits_met(problem, particles)) result.warnings.push_back(remark);
   return result;
 }
 
