@@ -5,6 +5,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/io/check.hpp"
+#include "src/stability/limits.hpp"
 
 namespace sphk {
 
@@ -14,6 +15,8 @@ int ic_check_command(const std::string& file) {
   const ReadResult content = read_particles(file, NonFinite::keep);
   Verdict verdict = judge(content);
   if (const std::string doubt = dimension_in_doubt(content); !doubt.empty()) verdict.errors.push_back(doubt);
+  if (verdict.errors.empty())
+    for (const std::string& remark : limit_remarks(contrasts(content.particles), {})) verdict.notes.push_back(remark);
   fmt::print("{}: {} gas particles in {}D\n", file, content.particles.size(), content.particles.dimension);
   for (const std::string& note : verdict.notes) fmt::print("  note: {}\n", note);
   for (const std::string& error : verdict.errors) fmt::print("  error: {}\n", error);

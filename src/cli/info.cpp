@@ -11,6 +11,7 @@
 #include "src/io/input_file.hpp"
 #include "src/report/final_table.hpp"
 #include "src/report/run_json.hpp"
+#include "src/stability/limits.hpp"
 
 namespace sphk {
 
@@ -35,7 +36,8 @@ void add_info(CLI::App& root, Options& o) {
   CLI::App& info = *root.add_subcommand("info", "what an HDF5 file holds, or what a run came to");
   info.add_option("file", o.what, "a snapshot, an initial condition or a run's folder")->required();
   acts(info, o, [&o] {
-    fmt::print("{}\n", std::filesystem::is_directory(o.what) ? run_info(o.what) : file_info(o.what));
+    const auto limits = [](const ParticleSet& gas) { return limit_remarks(contrasts(gas), {}); };
+    fmt::print("{}\n", std::filesystem::is_directory(o.what) ? run_info(o.what) : file_info(o.what, limits));
     return ExitCode::done;
   });
 }

@@ -28,9 +28,12 @@ std::vector<std::string> wrapped(const std::vector<std::string>& words) {
   return lines;
 }
 
-/// How the scheme departs from its paper in so many dimensions.
-std::vector<std::string> differences(const SchemeFacts& facts, int dimension) {
+/// How scene and scheme depart from their papers, the scheme in so many dimensions.
+std::vector<std::string> differences(const Problem& problem, const SchemeFacts& facts, int dimension) {
   std::vector<std::string> differ;
+  for (const PaperChoice& choice : departures(problem))
+    differ.push_back(
+        fmt::format("{}{}{}", choice.paper, choice.keys.empty() ? "" : ": --set ", fmt::join(choice.keys, " --set ")));
   if (facts.differs) differ.push_back(fmt::format("from the paper: {}", facts.differs));
   const char *usual = facts.usual[dimension - 1].kernel, *in_space = facts.usual[2].kernel;
   if (std::string_view(usual) != in_space)
@@ -61,7 +64,7 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
              d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
   const SchemeFacts& facts = scheme_facts(d.scheme, compiled_schemes());
   print_list("", {facts.summary}, "");
-  print_list("differs", differences(facts, d.dimension), next_line);
+  print_list("differs", differences(problem, facts, d.dimension), next_line);
   print_list("passes", d.passes, " -> ");
   print_list("terms", d.terms, next_line);
   print_list("fields", wrapped(d.fields), next_line);

@@ -135,12 +135,14 @@ std::string gas_table(const hdf5::File& file) {
 }
 
 /// What a run would say when it started from this file.
-std::string verdict_lines(const std::filesystem::path& path) {
+std::string verdict_lines(const std::filesystem::path& path, const GasRemarks& remarks) {
   std::string text;
   std::vector<std::string> errors;
   try {
     const ReadResult content = read_particles(path, NonFinite::keep);
-    const Verdict verdict = judge(content);
+    Verdict verdict = judge(content);
+    if (verdict.errors.empty() && remarks)
+      for (std::string& remark : remarks(content.particles)) verdict.notes.push_back(std::move(remark));
     for (const std::string& note : verdict.notes) text += "  note: " + note + "\n";
     errors = verdict.errors;
     if (const std::string doubt = dimension_in_doubt(content); !doubt.empty()) errors.push_back(doubt);
@@ -153,7 +155,7 @@ std::string verdict_lines(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string file_info(const std::filesystem::path& path) {
+std::string file_info(const std::filesystem::path& path, const GasRemarks& remarks) {
   std::string text;
   {
     const hdf5::File file = hdf5::File::open(path);
@@ -168,7 +170,7 @@ std::string file_info(const std::filesystem::path& path) {
     text += particle_lines(file, header);
     if (file.has("PartType0")) text += gas_table(file);
   }
-  return text + verdict_lines(path);
+  return text + verdict_lines(path, remarks);
 }
 
 }  // namespace sphk

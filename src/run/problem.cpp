@@ -12,6 +12,7 @@
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/labels.hpp"
 #include "src/schemes/registry.hpp"
+#include "src/stability/limits.hpp"
 
 namespace sphk {
 
@@ -148,6 +149,14 @@ void finish(Problem& problem, const std::vector<std::string>& problems) {
   adapt(problem);
 }
 
+/// Do the settings say what "key=value" would? A label says what each of its keys does.
+bool has_as(const Settings& settings, const std::string& text) {
+  const auto equals = text.find('=');
+  Settings wanted = settings;
+  if (!apply_overrides(wanted, overrides_of({{text.substr(0, equals), text.substr(equals + 1)}})).empty()) return false;
+  return std::ranges::equal(wanted.keys(), settings.keys(), {}, &Key::value, &Key::value);
+}
+
 }  // namespace
 
 KeyTexts last_of_each(const KeyTexts& keys) {
@@ -210,6 +219,23 @@ void adapt(Problem& problem) {
     problem.scene->adapt(problem.settings);
     adopt_scheme(problem.settings, problem.scene->dimension(problem.settings), problem.scene->mixes());
   }
+}
+
+std::vector<PaperChoice> departures(const Problem& problem) {
+  std::vector<PaperChoice> choices = problem.scene->paper(problem.settings);
+  std::erase_if(choices, [&](const PaperChoice& choice) {
+    return !choice.keys.empty() &&
+           std::ranges::all_of(choice.keys, [&](const std::string& key) { return has_as(problem.settings, key); });
+  });
+  return choices;
+}
+
+std::vector<std::string> limits_met(const Problem& problem, const ParticleSet& gas) {
+  const Settings& s = problem.settings;
+  Method method{s.text("sph.scheme"), s.text("sph.energy")};
+  if (s.has("conductivity.signal") && s.real("conductivity.alpha") > 0) method.signal = s.text("conductivity.signal");
+  method.motion = !s.has("time.motion") || s.flag("time.motion");
+  return limit_remarks(contrasts(gas), method);
 }
 
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides) {

@@ -40,6 +40,12 @@ bool may_change(const std::string& key);
 /// or the scheme's. Throws InputError for keys that the scheme does not have.
 void adapt(Problem& problem);
 
+/// The choices of the scene's paper that the problem does not make.
+std::vector<PaperChoice> departures(const Problem& problem);
+
+/// Sentences on the known limits that the problem's gas, as it starts, and its settings meet.
+std::vector<std::string> limits_met(const Problem& problem, const ParticleSet& gas);
+
 /// `what`: a scene's name, a scene file (*.toml) or an initial condition (an HDF5 file). A scene file may name an
 /// initial condition, by its path from the scene file's folder. Throws one InputError that lists every unknown key,
 /// wrong type and value out of range of the file and of the overrides.

@@ -81,6 +81,7 @@ RatesResult rates(const RatesRequest& request) {
   write_fields(request.out, particles, fields, gamma, snapshot_info(*problem.scene, problem.settings));
   RatesResult result{fields.size(), particles.size(), simulation->warnings()};
   std::ranges::copy(input_remarks(problem), std::inserter(result.warnings, result.warnings.begin()));
+  for (const std::string& remark : limits_met(problem, particles)) result.warnings.push_back(remark);
   return result;
 }
 

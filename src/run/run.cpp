@@ -88,6 +88,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
                                     sampling_remark(pair, {kernel, neighbours}, particles.dimension),
                                     courant_remark(s.courant, pair, particles.dimension, s.gamma)})
     if (!remark.empty()) record.warnings.push_back(remark);
+  for (const std::string& remark : limits_met(problem, particles)) record.warnings.push_back(remark);
   const auto periodic = std::ranges::count(particles.box.periodic, true);
   if (periodic == 0 && s.neighbours > static_cast<double>(particles.size()))
     record.warnings.push_back(

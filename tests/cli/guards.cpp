@@ -66,6 +66,20 @@ TEST_F(Guards, ValuesThatAreNoNumbersAreNamedWithFileDatasetAndRow) {
     }
 }
 
+TEST_F(Guards, KnownLimitsAreToldByEveryCommandThatMeetsThemAndByNoOther) {
+  const Words commands{"run {} --t-end 0.1 --steps 1 --overwrite --out run", "rates {} --out rates.hdf5", "ic check {}",
+                       "info {}"};
+  write_gas("contact.hdf5", [](ParticleSet& gas) {
+    for (std::size_t i = 0; i < gas.size(); ++i)
+      if (gas.x[i][0] < 0.5) gas.m[i] *= 200, gas.u[i] /= 200;
+  });
+  write_gas("even.hdf5");
+  for (const std::string& command : commands) {
+    expect(fmt::format(fmt::runtime(command), "contact.hdf5"), 0, {"note: gas of densities 1:200", "osph-coherent"});
+    EXPECT_EQ(sphk(fmt::format(fmt::runtime(command), "even.hdf5")).text.find("side by side"), std::string::npos);
+  }
+}
+
 TEST_F(Guards, NegativeMassesEnergiesAndSupportsAreRefused) {
   const auto refused = [&](const std::string& name, const std::string& problem, const Change& change) {
     expect_of_gas(name, change, bad_input, {name, "mended", problem, "row 7 (id 8)"});

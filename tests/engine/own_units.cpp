@@ -2,34 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "src/engine/errors.hpp"
 #include "src/engine/scaled_simulation.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/engine/brute_force.hpp"
+#include "tests/engine/units.hpp"
 
 namespace sphk::test {
 namespace {
-
-struct Units {
-  double length, mass, time;
-};
-
-ParticleSet in_units(ParticleSet gas, const Units& units) {
-  for (std::size_t d = 0; d < 3; ++d) gas.box.lower[d] *= units.length, gas.box.size[d] *= units.length;
-  for (Array3& x : gas.x)
-    for (double& each : x) each *= units.length;
-  for (Array3& v : gas.v)
-    for (double& each : v) each *= units.length / units.time;
-  for (double& m : gas.m) m *= units.mass;
-  for (double& u : gas.u) u *= std::pow(units.length / units.time, 2);
-  return gas;
-}
-
-double factor(const UnitExponents& unit, const Units& units) {
-  return std::pow(units.length, unit.length) * std::pow(units.mass, unit.mass) * std::pow(units.time, unit.time);
-}
 
 /// Some steps of every compiled scheme and form, by what the rows of their table ask for.
 class OwnUnits : public testing::Test {

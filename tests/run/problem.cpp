@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
+#include "tests/compiled_schemes.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace sphk {
@@ -86,6 +87,42 @@ TEST(Problem, AFileWithoutASceneSaysHowToNameOne) {
 
 TEST(Problem, AMissingInitialConditionIsAnInputErrorThatNamesIt) {
   EXPECT_NE(message_of("missing.hdf5").find("missing.hdf5"), std::string::npos);
+}
+
+TEST(Problem, TakesTheChoicesOfThePaperByTheKeysThatAreSaidToBringThem) {
+  if (!is_compiled("osph") || !is_compiled("sphs")) GTEST_SKIP();
+  using Keys = std::vector<Override>;
+  const std::pair<const char*, Keys> problems[] = {
+      {"sod", {{"scene.variant", "r10", "a"}}},
+      {"sod", {{"scene.variant", "v10", "a"}}},
+      {"kh12", {{"scene.edges", "soft", "a"}, {"scene.dimension", "2", "b"}}}};
+  std::vector<std::pair<std::string, Keys>> all(std::begin(problems), std::end(problems));
+  for (const Scene* scene : scenes()) all.emplace_back(scene->name(), Keys{});
+  for (auto& [name, keys] : all) {
+    for (const PaperChoice& choice : departures(resolve_problem(name, keys)))
+      for (const std::string& key : choice.keys) {
+        const auto equals = key.find('=');
+        std::erase_if(keys, [&](const Override& other) { return other.name == key.substr(0, equals); });
+        keys.push_back({key.substr(0, equals), key.substr(equals + 1), key});
+      }
+    for (const PaperChoice& choice : departures(resolve_problem(name, keys)))
+      EXPECT_TRUE(choice.keys.empty()) << name << ": " << choice.paper;
+  }
+}
+
+TEST(Problem, KnowsWhatOfThePaperItDoesNotDo) {
+  if (!is_compiled("osph") || !is_compiled("sphs")) GTEST_SKIP();
+  const auto departs_by = [](const std::string& scene, const std::string& key, const std::vector<Override>& keys = {}) {
+    return std::ranges::any_of(departures(resolve_problem(scene, keys)), [&](const PaperChoice& choice) {
+      return std::ranges::find(choice.keys, key) != choice.keys.end();
+    });
+  };
+  for (const char* scene : {"kh12", "kh18", "blob"})
+    EXPECT_TRUE(departs_by(scene, "scene.temperatures=smoothed")) << scene;
+  EXPECT_FALSE(departs_by("kh12", "scene.temperatures=smoothed", {{"sph.scheme", "osph", "--scheme"}}));
+  EXPECT_FALSE(departs_by("kh18", "scene.n=256", {{"scene.n", "256", "-n"}}));
+  EXPECT_TRUE(departs_by("kh18", "sph.scheme=SPHS-HCT442", {{"sph.energy", "energy", "--set"}}));
+  EXPECT_TRUE(departs_by("shearing", "time.steps=individual"));
 }
 
 TEST(Problem, WithLatticeNeedsNoGlass) {
