@@ -18,16 +18,20 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
-/// Half of the particles lie that close along the axis on which they stray most; outliers do not count.
+/// Half of the particles lie that close along the axis on which they stray most; outliers do not count. Where half are
+/// at one place all of them do, where all are their box.
 double width(const ParticleSet& particles) {
-  double widest = 0;
+  double widest = 0, extent = 0, box = 0;
   std::vector<double> x(particles.size());
-  for (int d = 0; d < particles.dimension; ++d) {
+  for (std::size_t d = 0; d < static_cast<std::size_t>(particles.dimension); ++d) {
     std::ranges::transform(particles.x, x.begin(), [d](const Array3& place) { return place[d]; });
     const double from = quantile(x, 0.25);
     widest = std::max(widest, quantile(x, 0.75) - from);
+    const auto [first, last] = std::ranges::minmax(x);
+    extent = std::max(extent, last - first);
+    box = std::max(box, particles.box.size[d]);
   }
-  return widest;
+  return widest > 0 ? widest : extent > 0 ? extent : box;
 }
 
 /// Mean square of the velocities against their mean, and mean specific energy: of each particle the larger.

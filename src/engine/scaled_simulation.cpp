@@ -31,6 +31,10 @@ auto told_in(const Scale& scale, F&& f) {
 
 }  // namespace
 
+ScaledSimulation::ScaledSimulation(const std::function<std::unique_ptr<Simulation>()>& make, const Scale& scale,
+                                   int dimension, double gamma)
+    : inner_(told_in(scale, make)), scale_(scale), dimension_(dimension), gamma_(gamma) {}
+
 StepReport ScaledSimulation::step(double t_end) {
   return told_in(scale_, [&] { return outer(inner_->step(t_end / scale_.factor(time_unit))); });
 }

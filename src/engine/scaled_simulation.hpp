@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "src/engine/simulation.hpp"
 
 namespace sphk {
@@ -7,8 +9,9 @@ namespace sphk {
 /// A run that computes in units of its own, for a user with others: everything that goes in or out is in the user's.
 class ScaledSimulation final : public Simulation {
  public:
-  ScaledSimulation(std::unique_ptr<Simulation> inner, const Scale& scale, int dimension, double gamma)
-      : inner_(std::move(inner)), scale_(scale), dimension_(dimension), gamma_(gamma) {}
+  /// `make` makes the run in its own units.
+  ScaledSimulation(const std::function<std::unique_ptr<Simulation>()>& make, const Scale& scale, int dimension,
+                   double gamma);
 
   StepReport step(double t_end) override;
   void heat(const Array3& place, double energy) override;

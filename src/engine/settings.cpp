@@ -71,7 +71,10 @@ void check_range(const Key& key, const Value& value) {
   else
     return;
   if (!std::isfinite(number))
-    throw InputError(fmt::format("{} = {}: a finite number is wanted here", key.name, to_text(value)));
+    throw InputError(fmt::format("{} = {}: a finite number is wanted here{}", key.name, to_text(value),
+                                 std::isfinite(key.min) || std::isfinite(key.max)
+                                     ? fmt::format("; it must lie between {} and {}", key.min, key.max)
+                                     : ""));
   if (!(number >= key.min && number <= key.max))
     throw InputError(fmt::format("{} = {}: it must lie between {} and {}", key.name, to_text(value), key.min, key.max));
 }

@@ -7,8 +7,9 @@ namespace sphk {
 /// The processor's name, and its family and model where Linux tells them ("AMD EPYC (family 25, model 1), 2 cores").
 std::string machine_name();
 
-/// The largest memory that this process has held resident, in bytes.
+/// The largest memory that this process has held resident, in bytes; and what it holds now.
 double peak_memory_bytes();
+double memory_bytes();
 /// What this machine can still give to a process, the limit of its control group heeded; infinite where nobody tells.
 double available_memory_bytes();
 

@@ -18,25 +18,27 @@ namespace sphk {
 
 namespace {
 
-/// What an output holds of each particle beside the state, the file apart: order and ids, and of the fields, which go
-/// as the file grows, one.
-constexpr double bytes_beside_the_file = 4 + 8 + 3 * 8;
-
 double bytes_of(const SavedState& saved) {
   double bytes = 0;
   for (const auto& [name, block] : saved) bytes += static_cast<double>(block.size());
   return bytes;
 }
 
-/// Writes a snapshot to memory, as a run does before it goes to the disk, and tells what that and all before it took.
-void rehearse_output(DryRun& run, const Problem& problem, const Simulation& simulation) {
-  const double tried = static_cast<double>(run.trial_particles), missing = run.particles - tried;
-  const SnapshotInfo info = snapshot_info(*problem.scene, problem.settings);
-  const double file = snapshot_file(simulation.snapshot(), info, Compression::none).bytes() / tried;
-  run.output_bytes = run.snapshots * run.particles * file;
-  run.peak_bytes = peak_memory_bytes() + missing * (run.bytes_per_particle + file + bytes_beside_the_file);
-  run.checkpoint_bytes = run.particles * bytes_of(simulation.save()) / tried;
-  run.available_bytes = available_memory_bytes();
+/// Measures the gas and writes a snapshot to memory, as a run does before it goes to the disk; the size of the file.
+double rehearse_output(const Problem& problem, const Simulation& simulation) {
+  Snapshot snapshot = simulation.snapshot();
+  problem.scene->measures(problem.settings, snapshot);
+  problem.scene->errors(problem.settings, snapshot);
+  return snapshot_file(std::move(snapshot), snapshot_info(*problem.scene, problem.settings), Compression::none).bytes();
+}
+
+/// What some particles of the gas make a run hold: all that does not grow with their number.
+double memory_of_few(const Problem& problem, const ParticleSet& gas) {
+  const double before = memory_bytes();
+  const auto few =
+      make_simulation(thinned(gas, std::max<std::size_t>(gas.size() / 1000, 1)), simulation_settings(problem.settings));
+  rehearse_output(problem, *few);
+  return memory_bytes() - before;
 }
 
 }  // namespace
@@ -44,7 +46,9 @@ void rehearse_output(DryRun& run, const Problem& problem, const Simulation& simu
 DryRun dry_run(const Problem& problem) {
   const Settings& settings = problem.settings;
   const SimulationSettings s = simulation_settings(settings);
+  const double at_first = memory_bytes();
   TrialGas trial = trial_gas(*problem.scene, settings);
+  const double constant = at_first + memory_of_few(problem, trial.gas);
   const auto simulation = make_simulation(trial.gas, s);
   DryRun run{.scene = problem.scene->name(),
              .scheme = s.scheme,
@@ -60,13 +64,17 @@ DryRun dry_run(const Problem& problem) {
   trial.gas = {};
   const Stopwatch watch;
   for (int step = 0; step < run.trial_steps && simulation->time() < run.end; ++step) simulation->step(run.end);
-  run.seconds_per_step = run.particles / static_cast<double>(run.trial_particles) * watch.wall() / run.trial_steps;
+  const double as_many = run.particles / static_cast<double>(run.trial_particles);
+  run.seconds_per_step = as_many * watch.wall() / run.trial_steps;
   run.dt = simulation->last_step().dt / trial.refinement;
   run.steps = run.trial_steps + std::max(0.0, std::ceil((run.end - simulation->time()) / run.dt));
   if (const auto limit = settings.integer("time.max_steps"); limit >= 0)
     run.steps = std::min(run.steps, static_cast<double>(limit));
   run.bytes_per_particle = simulation->costs().bytes_per_particle;
-  rehearse_output(run, problem, *simulation);
+  run.output_bytes = as_many * run.snapshots * rehearse_output(problem, *simulation);
+  run.peak_bytes = constant + as_many * (peak_memory_bytes() - constant);
+  run.checkpoint_bytes = as_many * bytes_of(simulation->save());
+  run.available_bytes = available_memory_bytes();
   return run;
 }
 

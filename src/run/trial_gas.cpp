@@ -23,13 +23,20 @@ ParticleSet gas_of(const Scene& scene, Settings settings, std::int64_t n) {
   return scene.build(settings);
 }
 
-/// One of each k particles, not always the same of them: rows of a lattice would lose whole planes.
+/// Whether all particles are so few that no machine lacks the memory for them.
+bool is_small(const Scene& scene, const Settings& settings) {
+  return !settings.has("scene.n") ||
+         std::pow(static_cast<double>(settings.integer("scene.n")), scene.dimension(settings)) < 10 * most;
+}
+
+}  // namespace
+
 ParticleSet thinned(const ParticleSet& gas, std::size_t k) {
   ParticleSet few{.dimension = gas.dimension, .box = gas.box, .time = gas.time};
   const auto keep = [](const auto& from, auto& to, std::size_t i) {
     if (!from.empty()) to.push_back(from[i]);
   };
-  std::uint64_t random = 1;
+  std::uint64_t random = 1;  // not always the same of the k: rows of a lattice would lose whole planes
   for (std::size_t first = 0; first + k <= gas.size(); first += k) {
     random = random * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator
     const std::size_t i = first + (random >> 33) % k;
@@ -43,14 +50,6 @@ ParticleSet thinned(const ParticleSet& gas, std::size_t k) {
   }
   return few;
 }
-
-/// Whether all particles are so few that no machine lacks the memory for them.
-bool is_small(const Scene& scene, const Settings& settings) {
-  return !settings.has("scene.n") ||
-         std::pow(static_cast<double>(settings.integer("scene.n")), scene.dimension(settings)) < 10 * most;
-}
-
-}  // namespace
 
 TrialGas trial_gas(const Scene& scene, const Settings& settings) {
   const int D = scene.dimension(settings);

@@ -11,6 +11,9 @@ struct TrialGas {
   double refinement = 1;  ///< the mean distance of particles here over that in the whole
 };
 
+/// One of each k particles, k times as heavy.
+ParticleSet thinned(const ParticleSet& gas, std::size_t k);
+
 /// A scene's own gas at a coarser scene.n, whose count and another's at half of it tell how the whole one grows (exact
 /// but for rounding); of a file every k-th particle, k times as heavy. All particles where they are few.
 TrialGas trial_gas(const Scene& scene, const Settings& settings);

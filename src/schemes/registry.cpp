@@ -150,9 +150,10 @@ std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const 
   check_runnable(settings, particles, least_neighbours(rows, settings.kernel, particles.dimension));
   const Instantiation& row = choose(rows, settings, particles.dimension, traits_of(particles));
   const Scale scale = settings.own_units.value_or(scale_of(particles));
-  return std::make_unique<ScaledSimulation>(
-      row.make(particles, in_own_units(settings, scale, row.numbers, particles.dimension)), scale, particles.dimension,
-      settings.gamma);
+  const auto make = [&] {
+    return row.make(particles, in_own_units(settings, scale, row.numbers, particles.dimension));
+  };
+  return std::make_unique<ScaledSimulation>(make, scale, particles.dimension, settings.gamma);
 }
 
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {

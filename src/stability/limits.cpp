@@ -26,7 +26,7 @@ std::vector<std::string> limit_remarks(const Contrasts& gas, const Method& metho
         gas.density));
   if (gas.mass >= mass_limit && may_be({"gadget2", "v10"}))
     remarks.push_back(fmt::format(
-        "masses of particles that lie side by side differ by a factor of {:.0f}: gadget2 and v10 gain energy "
+        "masses of particles that lie side by side differ by a factor of {:.4g}: gadget2 and v10 gain energy "
         "where such gas is shocked; sph, tsph, osph and the family of sphs do not",
         gas.mass));
   if (gas.pressure >= pressure_limit && may_be({"sphs"}) && method.energy != "energy")

@@ -25,7 +25,7 @@ SIDE = 24
 
 def item(file, periodic, **more):
     return {"file": file, "dimension": 2, "box_lower": [0, 0, 0], "box_size": [1, 1, 1], "periodic": [periodic] * 3,
-            "centre": [0.5, 0.5, 0.5], "velocity": [0, 0, 0], "abscissa": "R", "from": 0, "to": 0.5, "exact": None,
+            "centre": [0.5, 0.5, 0], "velocity": [0, 0, 0], "abscissa": "R", "from": 0, "to": 0.5, "exact": None,
             "time": 0, "title": "", "fields": [],
             "names": {"rho": ["Densities", ""], "m": ["Masses", ""], "v": ["Velocities", "phi"],
                       "|v|": ["Velocities", "modulus"], "v_x": ["Velocities", "x"], "v_R": ["Velocities", "R"],
@@ -38,8 +38,8 @@ class Scripts(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.file = os.path.join(cls.temporary.name, "gas.hdf5")
         places = (np.arange(SIDE) + 0.5) / SIDE
-        cls.x = np.stack([*np.meshgrid(places, places), np.full((SIDE, SIDE), 0.5)], -1).reshape(-1, 3)
-        d = cls.x - 0.5
+        cls.x = np.stack([*np.meshgrid(places, places), np.zeros((SIDE, SIDE))], -1).reshape(-1, 3)
+        d = cls.x - [0.5, 0.5, 0]
         with h5py.File(cls.file, "w") as file:
             gas = file.create_group("PartType0")
             gas["Coordinates"] = cls.x

@@ -55,9 +55,10 @@ TEST_F(Sentences, NoStepIsNoStep) {
 TEST_F(Sentences, PathsAndFiguresThatCannotBeAreRefusedAtOnce) {
   expect(gas + "--out ''", bad_input, {"--out \"\"", "a name is wanted"});
   expect(gas + "--steps 1 --out run", 0, {"complete"});
-  for (const std::string out : {"x.pdf", "x.svg", "run/x.jpg"})
-    expect("plot run --out " + out, bad_input, {"figures are PNG files", fs::path(out).replace_extension(".png")});
-  EXPECT_FALSE(fs::exists(file("x.pdf")));
+  for (const std::string out : {"x.gif", "run/x.txt"})
+    expect("plot run --out " + out, bad_input,
+           {"figures are .png, .pdf, .svg or .jpg files", fs::path(out).replace_extension(".png")});
+  EXPECT_FALSE(fs::exists(file("x.gif")));
 }
 
 TEST_F(Sentences, AStudyByANormThatNobodyMeasuresDoesNotBegin) {

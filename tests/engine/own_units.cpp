@@ -5,6 +5,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/engine/scaled_simulation.hpp"
+#include "src/engine/step_errors.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/engine/brute_force.hpp"
 #include "tests/engine/units.hpp"
@@ -174,6 +175,22 @@ TEST_F(OwnUnits, AParticleFarAwayDoesNotSpoilThoseOfItsCell) {
 TEST_F(OwnUnits, AVeryFastParticleDoesNotSpoilThoseOfItsCell) {
   for (const double corner : {1.4, -0.4})  // behind the last of its cell, and before the first
     expect_exact_kicks(cube_and_one({corner, corner, corner}, {1e8, -1e8, 1e8}, 4), 0.3);
+}
+
+/// A mass that no float holds ends the run before its first step: the particle is told where the user has it.
+TEST_F(OwnUnits, WhatFailsAtTheStartIsToldInTheUsersUnits) {
+  ParticleSet gas = shaken_lattice(3, {8, 8, 8}, 0.2, true, 7);
+  for (Array3& x : gas.x)
+    for (double& component : x) component *= 0x1p40;
+  gas.box.size = {0x1p40, 0x1p40, 0x1p40};
+  gas.m[100] *= 1e60;
+  try {
+    make_simulation(gas, {.scheme = "gadget2"});
+    FAIL() << "it cannot be computed";
+  } catch (const StuckError& error) {
+    EXPECT_EQ(error.particle.x, gas.x[error.particle.id - 1]);
+    EXPECT_EQ(error.reason, StuckReason::not_finite);
+  }
 }
 
 /// osph measures densities by entropies, and entropies follow from the energies given.
