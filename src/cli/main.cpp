@@ -1,5 +1,8 @@
 #include <fcntl.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <Kokkos_Core.hpp>
 #include <algorithm>
@@ -29,6 +32,13 @@ void open_standard_streams() {
   if (file > STDERR_FILENO) close(file);
 }
 
+/// Large arrays go back to the system when they are freed: glibc would keep ever larger ones for itself.
+void return_large_arrays() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 /// Does the command line ask for JSON alone? Where it cannot be read as well.
 bool wants_json(int argc, char** argv) {
   return std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json-log"; });
@@ -38,6 +48,7 @@ bool wants_json(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   open_standard_streams();
+  return_large_arrays();
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, with a sentence
   try {
     return perform(argc, argv);
