@@ -88,9 +88,10 @@ std::string DryRun::text() const {
   const bool all = static_cast<double>(trial_particles) == particles;
   add("particles", fmt::format("{:.0f} in {}D{}", particles, dimension,
                                all ? "" : fmt::format(", told from {} of their kind", trial_particles)));
-  add("memory", fmt::format("{} at its peak, {:.0f} bytes per particle on the device{}", bytes_text(peak_bytes),
-                            bytes_per_particle,
-                            peak_bytes < available_bytes
+  const double most = peak_bytes + checkpoint_bytes;
+  add("memory", fmt::format("{} at its peak, {} with a checkpoint; {:.0f} bytes per particle on the device{}",
+                            bytes_text(peak_bytes), bytes_text(most), bytes_per_particle,
+                            most < available_bytes
                                 ? ""
                                 : fmt::format("; MORE than the {} that are free here", bytes_text(available_bytes))));
   add("time-step", fmt::format("{:.3e} after {} steps", dt, trial_steps));
