@@ -22,6 +22,8 @@ struct StepClock {
   double tick = 0;
   Ticks now = 0, next = 0;                       ///< where the drift in progress begins and ends
   Kokkos::View<Ticks*, MemorySpace> begin, end;  ///< of every particle's step; empty where one step serves all
+  /// Its nominal step is 2^power ticks; that in progress is shorter where it began between multiples of them.
+  Kokkos::View<std::uint8_t*, MemorySpace> power;
 
   /// Does a step of particle i begin where the drift does?
   KOKKOS_INLINE_FUNCTION bool opens(int i) const { return !individual || begin(i) == now; }

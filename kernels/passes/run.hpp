@@ -74,13 +74,14 @@ struct StepCounts {
   }
 };
 
-/// Shortest and longest step of a set of particles.
-struct TickRange {
-  Ticks shortest = StepClock::block, longest = 0;
-  KOKKOS_INLINE_FUNCTION void include(Ticks ticks) { include(TickRange{ticks, ticks}); }
-  KOKKOS_INLINE_FUNCTION void include(const TickRange& b) {
-    shortest = min(shortest, b.shortest);
-    longest = max(longest, b.longest);
+/// Nominal steps of a set of particles, as powers of two, and where the first of them ends.
+struct StepRange {
+  int least = StepClock::block_bits, most = 0;
+  Ticks first_end = StepClock::block;
+  KOKKOS_INLINE_FUNCTION void include(const StepRange& b) {
+    least = min(least, b.least);
+    most = max(most, b.most);
+    first_end = min(first_end, b.first_end);
   }
 };
 
@@ -88,10 +89,13 @@ struct TickRange {
 struct Schedule {
   double longest = 1e300;  ///< no step is longer
   bool limiter = true;     ///< neighbours stay within a factor 4
-  bool starting = false;   ///< the run's first block: all begin with one step, and none is longer than the run
+  bool starting = false;   ///< the run's first block: neighbours begin with one step, and none is longer than the run
   double updates_since_sort = 1e300;
-  Kokkos::View<Ticks*, MemorySpace> caps, other;  ///< `other`: where the sort puts begins and ends
-  Kokkos::View<TickRange*, MemorySpace> ranges;   ///< of every node of the tree
+  Kokkos::View<int*, MemorySpace> caps;                          ///< powers that neighbours allow
+  ParticleSubset capped[2];                                           ///< whose caps are below their steps; by turns
+  Kokkos::View<StepRange*, MemorySpace> ranges;                  ///< of every node of the tree
+  Kokkos::View<Ticks*, MemorySpace> other;                       ///< where the sort puts begins and ends
+  Kokkos::View<std::uint8_t*, MemorySpace> other_power;          ///< and powers
 };
 
 /// A run between two passes. L is a BaseLayout: passes that know more see the same particles by state.as<>().

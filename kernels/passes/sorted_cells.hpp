@@ -62,7 +62,9 @@ void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& sch
   if (clock.individual) {
     sorter.permute(clock.begin, schedule.other);
     sorter.permute(clock.end, schedule.other);
+    sorter.permute(clock.power, schedule.other_power);
     schedule.updates_since_sort = 0;
+    fit_ranges(state, schedule);
   }
   fit_cells(state);
 }

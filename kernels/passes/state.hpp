@@ -42,10 +42,10 @@ struct CoreScheme {
   using DensityTerms = DensitySums;
 };
 
-/// The particles whose step ends now: all of them, or those of the masks. Pair loops compute these alone.
-struct ActiveSet {
+/// Some of the particles, or all of them. Pair loops compute those whose step ends now alone.
+struct ParticleSubset {
   bool everyone = true;
-  int count = 0;                                 ///< cells that hold active particles
+  int count = 0;                                 ///< cells that hold any
   Kokkos::View<int*, MemorySpace> cell_numbers;  ///< the first `count`: those cells
   Kokkos::View<TargetMask*, MemorySpace> masks;  ///< of every cell
 
@@ -93,7 +93,7 @@ struct Particles {
   Ids ids;
   CellTree<L::dimension> tree;
   Parameters parameters;
-  ActiveSet active{};
+  ParticleSubset active{};
   StepClock clock{};
   CentralMass central{};
   /// Row of the density that the equation of state and the forces take: that of a scheme's generalised continuity

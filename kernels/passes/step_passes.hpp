@@ -23,7 +23,7 @@ void fit_cells(const Particles<L>& state);
 
 /// Marks the particles whose steps end now, by cells, and counts them. This and the following: in schedule.hpp.
 template <class L>
-long mark_active(Particles<L>& state);
+long mark_active(Particles<L>& state, const Schedule& schedule);
 
 /// Gives the active particles steps that begin at `start`, and keeps neighbours within a factor 4 of each other.
 template <class L>
@@ -35,7 +35,11 @@ void wake_all(const Particles<L>& state);
 
 /// The tick at which the next steps end.
 template <class L>
-Ticks first_end(const Particles<L>& state);
+Ticks first_end(const Particles<L>& state, const Schedule& schedule);
+
+/// Learns the ranges of steps anew, after particles or their steps have changed elsewhere than here.
+template <class L>
+void fit_ranges(const Particles<L>& state, const Schedule& schedule);
 
 /// Support radii, n and rho of the active particles by Newton's method from the present h (S12 eq 6, 11), then the
 /// scheme's further sums at the final h. A search ends when its step is below accept * h; n and rho are then carried
@@ -78,7 +82,7 @@ struct ActiveParticles {
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {
-    run.active_count = mark_active(run.state);
+    run.active_count = mark_active(run.state, run.schedule);
     run.schedule.updates_since_sort += static_cast<double>(run.active_count);
   }
 };

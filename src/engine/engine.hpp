@@ -75,6 +75,7 @@ class Engine final : public Simulation {
       clock.now = clock.next = 0;
       Kokkos::deep_copy(ExecutionSpace(), clock.begin, 0);
       Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
+      fit_ranges(run_.state, run_.schedule);
     }
     clock.dt = 0;
     run_.state.active.everyone = true;
@@ -130,6 +131,7 @@ class Engine final : public Simulation {
   void restore(const SavedState& saved) override {
     StateReader reader(saved);
     exchange(*this, reader);
+    if (run_.state.clock.individual) fit_ranges(run_.state, run_.schedule);
   }
 
   Counts counts() const override { return counts_of(counted_); }
@@ -162,7 +164,7 @@ class Engine final : public Simulation {
     if (clock.individual) {
       archive("begins", clock.begin);
       archive("ends", clock.end);
-      archive("caps", run.schedule.caps);
+      archive("powers", clock.power);
       archive("active_masks", run.state.active.masks);
     }
     archive("start", self.start_);
@@ -211,7 +213,7 @@ class Engine final : public Simulation {
     const bool in_step = all_in_step();
     if (!in_step && t_end != block_end_) wake_all(run_.state);
     if (in_step || t_end != block_end_) begin_block(t_end);
-    clock.next = first_end(run_.state);
+    clock.next = first_end(run_.state, run_.schedule);
     clock.dt = static_cast<double>(clock.next - clock.now) * clock.tick;
     end_of_step_ =
         clock.next == StepClock::block ? block_end_ : block_begin_ + static_cast<double>(clock.next) * clock.tick;
@@ -228,9 +230,7 @@ class Engine final : public Simulation {
     // Dissipation sets in with the first step. On unlike steps the two sides of a pair would feel that for unlike
     // times.
     run_.schedule.starting = run_.schedule.limiter && run_.time == start_;
-    Schedule schedule = run_.schedule;
-    if (schedule.starting) schedule.longest = std::min(schedule.longest, run_.limit.dt);
-    assign_steps(run_.state, schedule, 0);
+    assign_steps(run_.state, run_.schedule, 0);
   }
 
   void require_finite() const {
@@ -282,7 +282,7 @@ std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const Simulat
 template <class L>
 constexpr auto compiled_run() {
   return std::tuple{&make_run<L>,     &load_run<L>, &sort_cells<L>, &fit_cells<L>, &mark_active<L>,
-                    &assign_steps<L>, &wake_all<L>, &first_end<L>,  &fill_row<L>,  &pull_to_centre<L>};
+                    &assign_steps<L>, &wake_all<L>, &first_end<L>,  &fit_ranges<L>, &fill_row<L>,  &pull_to_centre<L>};
 }
 
 }  // namespace sphk

@@ -72,14 +72,22 @@ void allow_individual_steps(Particles<L>& state, Schedule& schedule, const Simul
   state.clock.individual = true;
   state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
   state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
-  state.active.masks = Kokkos::View<TargetMask*, MemorySpace>("active particles", state.tree.cells());
-  state.active.cell_numbers = Kokkos::View<int*, MemorySpace>("active cells", state.tree.cells());
-  schedule.caps = Kokkos::View<Ticks*, MemorySpace>("caps of steps", n);
+  const auto subset = [&](const std::string& label) {
+    return ParticleSubset{.everyone = false,
+                          .cell_numbers = Kokkos::View<int*, MemorySpace>(label + ", cells", state.tree.cells()),
+                          .masks = Kokkos::View<TargetMask*, MemorySpace>(label, state.tree.cells())};
+  };
+  state.active = subset("active particles");
+  state.active.everyone = true;
+  for (ParticleSubset& capped : schedule.capped) capped = subset("capped particles");
+  state.clock.power = Kokkos::View<std::uint8_t*, MemorySpace>("powers of steps", n);
+  schedule.caps = Kokkos::View<int*, MemorySpace>("caps of steps", n);
   schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
-  schedule.ranges = Kokkos::View<TickRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
+  schedule.other_power = Kokkos::View<std::uint8_t*, MemorySpace>("powers of steps, other", n);
+  schedule.ranges = Kokkos::View<StepRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
   schedule.limiter = settings.step_limiter;
   if (settings.max_dt > 0) schedule.longest = settings.max_dt;
-  Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block);
+  Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block_bits);
 }
 
 }  // namespace detail

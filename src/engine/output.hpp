@@ -13,8 +13,10 @@ template <class L>
 inline constexpr double bytes_per_particle = 2.0 * sizeof(double) * Particles<L>::Columns::size + 8 + 2 * 8 + 2 * 12 +
                                              sizeof(Bounds<L::dimension>) * (1.0 / 7);
 
-/// The same for steps of the particles' own: begins, ends, their second copy and caps; masks and ranges of the cells.
-inline constexpr double bytes_of_own_steps = 4 * sizeof(Ticks) + sizeof(TickRange) * (1.0 / 7) + 12.0 / cell_size;
+/// The same for steps of the particles' own: begins, ends, powers, a second copy of them and caps; ranges of the nodes,
+/// three subsets.
+inline constexpr double bytes_of_own_steps =
+    3 * sizeof(Ticks) + 2 + sizeof(int) + sizeof(StepRange) * (1.0 / 7) + 3 * 12.0 / cell_size;
 
 /// Flops of one pair inside the support, loop by loop: distance, smoothing kernels, terms.
 inline constexpr int flops_of_distance(int dimension) {

@@ -11,7 +11,7 @@ namespace sphk {
 
 /// The version of what a checkpoint holds and of how a simulation's saved state is laid out: to be raised with each
 /// change of either, so that no run goes on from a state that means something else.
-inline constexpr int checkpoint_layout = 2;
+inline constexpr int checkpoint_layout = 3;
 
 /// A run as it can be gone on with: the simulation, and what is around it.
 struct Checkpoint {

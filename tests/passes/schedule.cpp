@@ -85,7 +85,9 @@ TEST_F(ScheduleTest, StepsDoubleAtMostWhenARunStarts) {
     const double asked = run.state.step_asked(i) / run.state.clock.tick;
     EXPECT_LE(length(i), behind);
     EXPECT_LE(static_cast<double>(length(i)), asked * (1 + 1e-12));
-    if (asked >= double(behind)) EXPECT_EQ(length(i), behind);
+    if (asked >= double(behind)) {
+      EXPECT_EQ(length(i), behind);
+    }
     as_long += length(i) == behind;
   }
   EXPECT_GT(as_long, 0);
@@ -107,23 +109,57 @@ TEST_F(ScheduleTest, NeighboursStayWithinAFactorFour) {
   EXPECT_LT(shortest, longest) << "the limiter must not make all steps alike";
 }
 
+/// Where neighbours ask for unlike steps, a run begins with the shorter one; elsewhere with what is asked.
+TEST_F(ScheduleTest, NeighboursBeginARunTogether) {
+  auto& state = run.state;
+  const int hot = 100;
+  const Ticks asked = StepClock::block / 8;
+  for (int i = 0; i < state.n; ++i)
+    state.at<MaxSignalVelocity>(i) = state.parameters.courant * state.at<Support>(i) * (i == hot ? 64 : 8);
+  run.schedule.starting = true;
+  assign_steps(state, run.schedule, 0);
+  bool some_longer = false;
+  for (int i = 0; i < state.n; ++i) {
+    const bool near = i == hot || are_neighbours(i, hot);
+    EXPECT_EQ(length(i) == asked / 8, near);
+    EXPECT_LE(length(i), asked);
+    some_longer = some_longer || length(i) == asked;
+  }
+  EXPECT_TRUE(some_longer);
+}
+
+/// Lets all particles sleep through a step of 2^power ticks, but for one that ends a short step at `now`.
+struct SleepersTest : ScheduleTest {
+  static constexpr int hot = 100, hot_power = StepClock::block_bits - 6;
+  static constexpr Ticks asked = Ticks(1) << hot_power;
+
+  void let_sleep(int power, Ticks now) {
+    auto& state = run.state;
+    for (int i = 0; i < state.n; ++i) {
+      state.clock.begin(i) = 0;
+      state.clock.end(i) = i == hot ? now : Ticks(1) << power;
+      state.clock.power(i) = static_cast<std::uint8_t>(i == hot ? hot_power : power);
+    }
+    state.at<MaxSignalVelocity>(hot) = state.parameters.courant * state.at<Support>(hot) * 64;
+    fit_ranges(state, run.schedule);
+    EXPECT_EQ(first_end(state, run.schedule), now);
+    state.clock.next = now;
+    ActiveParticles::run<S::Layout>(run);
+    EXPECT_EQ(run.active_count, 1);
+  }
+};
+
 /// One particle ends a short step and asks for 1/64 of the block; all others sleep through it. Its neighbours are woken
 /// to 1/16, theirs to 1/4; who is further away may sleep on.
-TEST_F(ScheduleTest, ASleepingNeighbourIsWokenAtOnce) {
+TEST_F(SleepersTest, ANeighbourIsWokenAtOnce) {
   auto& state = run.state;
-  const Ticks now = StepClock::block / 4, asked = StepClock::block / 64;
-  const int hot = 100;
-  for (int i = 0; i < state.n; ++i) {
-    state.clock.begin(i) = 0;
-    state.clock.end(i) = i == hot ? now : StepClock::block;
-    for (int d = 0; d < 3; ++d) state.at<Acceleration>(i, d) = d + 1;
-  }
-  state.at<MaxSignalVelocity>(hot) = state.parameters.courant * state.at<Support>(hot) * 64;
+  const Ticks now = StepClock::block / 4;
   std::vector<double> x_before;
-  for (int i = 0; i < state.n; ++i) x_before.push_back(state.at<Position>(i, 0));
-  state.clock.next = now;
-  ActiveParticles::run<S::Layout>(run);
-  EXPECT_EQ(run.active_count, 1);
+  for (int i = 0; i < state.n; ++i) {
+    for (int d = 0; d < 3; ++d) state.at<Acceleration>(i, d) = d + 1;
+    x_before.push_back(state.at<Position>(i, 0));
+  }
+  let_sleep(StepClock::block_bits, now);
   assign_steps(run.state, run.schedule, now);
   EXPECT_EQ(length(hot), asked);
   // A woken particle's drift went at v_0 + a T/2 for t = T/4; a step that ends there wants v_0 + a t/2: the difference
@@ -144,6 +180,22 @@ TEST_F(ScheduleTest, ASleepingNeighbourIsWokenAtOnce) {
     }
   }
   EXPECT_TRUE(some_sleep);
+}
+
+/// Woken neighbours end their steps at the next multiple of 4 times what the hot one asks for, a quarter of that away.
+/// Their own neighbours, whose steps are four times as long as theirs should be, sleep on: it is nominal steps that
+/// count.
+TEST_F(SleepersTest, AShortStepOfAWokenOneWakesNobody) {
+  const Ticks now = 3 * asked;
+  let_sleep(hot_power + 4, now);
+  assign_steps(run.state, run.schedule, now);
+  for (int i = 0; i < run.state.n; ++i) {
+    if (i == hot) continue;
+    const bool woken = are_neighbours(i, hot);
+    EXPECT_EQ(run.state.clock.begin(i), woken ? now : 0) << i;
+    EXPECT_EQ(run.state.clock.end(i), (woken ? 4 : 16) * asked) << i;
+    EXPECT_EQ(run.state.clock.power(i), hot_power + (woken ? 2 : 4)) << i;
+  }
 }
 
 }  // namespace
