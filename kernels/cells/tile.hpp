@@ -115,33 +115,44 @@ struct Tile {
   T* row(int component = 0) const {
     return data + offset<F>(component);
   }
+  template <class P, class F>
+  KOKKOS_FORCEINLINE_FUNCTION P load(int k, int component = 0) const {
+    return sphk::load<P>(data + offset<F>(component) + k);
+  }
+  /// The entries from k on as neighbours of a particle at x.
   template <class P>
-  KOKKOS_FORCEINLINE_FUNCTION Values<P, D, FieldList> load(int k) const {
-    Values<P, D, FieldList> values;
-    for_each_type(FieldList{}, PackLoader<P>{*this, values, k});
-    return values;
+  KOKKOS_FORCEINLINE_FUNCTION Values<P, D, NeighbourFields<FieldList>> neighbours(int k, const Vec<P, D>& x) const {
+    Values<P, D, NeighbourFields<FieldList>> j;
+    for (int d = 0; d < D; ++d) j.r_ij[d] = x[d] - load<P, Position>(k, d);
+    j.r2 = dot(j.r_ij, j.r_ij);
+    for_each_type(NeighbourFields<FieldList>{}, RowLoader<P>{*this, j, k});
+    return j;
   }
 
-  /// Fills up to a multiple of `width` with copies of the last entry in which field F is `value`.
-  template <class F>
-  void pad(int width, T value) {
-    while (count % width != 0) {
-      for (int row = 0; row < rows; ++row) data[row * stride + count] = data[row * stride + count - 1];
-      this->template row<F>()[count] = value;
-      ++count;
+  /// Fills up to whole packs with copies of the last entry, moved to x along the first axis.
+  template <class P>
+  void pad(T x) {
+    if (count % lanes<P> == 0) return;
+    for (int row = 0; row < rows; ++row) {
+      T* const end = data + row * stride + count;
+      store(end, P(end[-1]));
     }
+    store(row<Position>() + count, P(x));
+    count += lanes<P> - count % lanes<P>;
   }
 
  private:
   template <class P>
-  struct PackLoader {
+  struct RowLoader {
     const Tile& tile;
-    Values<P, D, FieldList>& values;
+    Values<P, D, NeighbourFields<FieldList>>& j;
     int k;
     template <class F>
     KOKKOS_FORCEINLINE_FUNCTION void operator()() const {
-      P* c = component_array<F>(values);
-      for (int a = 0; a < components<F, D>; ++a) c[a] = sphk::load<P>(tile.data + offset<F>(a) + k);
+      if constexpr (!is_separation<F>) {
+        P* c = component_array<F>(j);
+        for (int a = 0; a < components<F, D>; ++a) c[a] = tile.template load<P, F>(k, a);
+      }
     }
   };
 };

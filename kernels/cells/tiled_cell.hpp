@@ -12,29 +12,25 @@ enum class Reach {
 };
 
 /// One cell of at most 64 particles and the three levels of candidates that its pair loops narrow down: everything near
-/// the cell, of that everything near one of its sub-cells, of that the neighbours of one particle. Lives on one thread
-/// of the host; its tiles are team scratch. Only the cell's targets are served: boxes and reaches are theirs.
+/// the cell, of that everything near one of its sub-cells, and, where that pays, of that the neighbours of one
+/// particle. Lives on one thread of the host; its tiles are team scratch. Only the cell's targets are served: boxes and
+/// reaches are theirs.
 template <class T, int D, class FieldList, Reach mode, class C>
 class TiledCell {
  public:
   using CellTile = Tile<T, D, Union<List<Position>, FieldList>>;
-  using Neighbours = Tile<T, D, NeighbourFields<FieldList>>;
   static constexpr int width = native_lanes<T>;
   using Pack = simd<T, width>;
 
-  static constexpr std::size_t scratch_bytes() {
-    return (2 * CellTile::entries + Neighbours::entries) * sizeof(T) + 2 * page + 64;
-  }
+  static constexpr std::size_t scratch_bytes() { return 3 * CellTile::entries * sizeof(T) + 3 * page; }
 
   /// `targets`: a bit for each particle of the cell, the first the lowest.
   TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell, TargetMask targets)
       : tree_(tree), columns_(columns), cell_(cell), targets_(targets) {
-    T* memory = reinterpret_cast<T*>((reinterpret_cast<std::uintptr_t>(scratch) + 63) / 64 * 64);
-    near_.data = memory;
-    sub_.data = memory + CellTile::entries;
-    const std::size_t after = 2 * CellTile::entries * sizeof(T);
-    const std::size_t from_sub = CellTile::entries * sizeof(T) % page;
-    list_.data = memory + (after + (page + 3 * page / 4 - from_sub) % page) / sizeof(T);
+    const auto from = reinterpret_cast<std::uintptr_t>(scratch);
+    near_.data = reinterpret_cast<T*>((from + 63) / 64 * 64);
+    sub_.data = after(near_.data, page / 2);
+    list_.data = after(sub_.data, 3 * page / 4);
     bound_targets();
     const int first = begin() + std::countr_zero(targets), last = begin() + 63 - std::countl_zero(targets);
     const int middle = is_target((first + last) / 2) ? (first + last) / 2 : first;
@@ -52,7 +48,9 @@ class TiledCell {
   /// Are any of the `count` particles from i on targets?
   bool has_targets(int i, int count) const { return targets_of(i, count) != 0; }
   const Frame<D>& frame() const { return frame_; }
-  const Neighbours& neighbours() const { return list_; }
+  /// What select() and list() have made.
+  const CellTile& candidates() const { return candidates_; }
+  const CellTile& neighbours() const { return list_; }
 
   /// Collects what comes within `reach` of the targets and calls flush(whole) each time the tile is full and at the
   /// end; `whole` says that the tile holds all there is.
@@ -66,34 +64,53 @@ class TiledCell {
         [&](int sub_cell, const double* shift) {
           if (near_.count + sub_cell_size > CellTile::capacity - width) {
             whole = false;
+            near_.template pad<Pack>(out_of_reach(near_, reach_));
             flush(false);
             near_.count = 0;
           }
           append(sub_cell, shift);
         });
+    near_.template pad<Pack>(out_of_reach(near_, reach_));
     flush(whole);
   }
 
-  /// Calls visit(i) for every target with candidates that reach as far as its sub-cell's supports; several times where
-  /// the tile does not hold all there is.
-  template <class Visit>
-  void for_each_target(const Bounds<D>& all, Visit&& visit) {
+  /// Calls visit(i, tile, from, to) for every target and entries of a tile that hold its neighbours: those of a list of
+  /// its own where `listed`, else, block by block, its sub-cell's candidates, in and out of reach. Then, once a
+  /// sub-cell is through, done(i); several times where the tile does not hold all there is.
+  template <class Visit, class Done>
+  void for_each_target(const Bounds<D>& all, bool listed, Visit&& visit, Done&& done) {
     collect(all, bounds_.h_max, [&](bool) {
       for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
-        const int from = s * sub_cell_size, to = sphk::min(from + sub_cell_size, tree_.n);
-        if (!has_targets(from, sub_cell_size)) continue;
-        select(s, sub_bounds(s).h_max);
-        for (int i = from; i < to; ++i)
-          if (is_target(i)) visit(i);
+        const int first = s * sub_cell_size;
+        const TargetMask targets = targets_of(first, sub_cell_size);
+        if (targets == 0) continue;
+        const bool own = !select(s, sub_bounds(s).h_max) && targets != targets_, lists = listed || own;
+        const int count = candidates_.count, block = lists ? CellTile::capacity : block_size;
+        if (count == 0) continue;
+        for (int from = 0; from < count; from += block)
+          for (TargetMask left = targets; left != 0; left &= left - 1) {
+            const int i = first + std::countr_zero(left);
+            if (lists) list(i);
+            visit(i, lists ? list_ : candidates_, from, lists ? list_.count : sphk::min(from + block, count));
+          }
+        for (TargetMask left = targets; left != 0; left &= left - 1) done(first + std::countr_zero(left));
       }
     });
   }
 
+  /// Calls visit(j) for packs of the entries [from, to) of a tile as neighbours of i. Whether any of a pack is in reach
+  /// is not asked: half of many are, and to ask costs more.
+  template <class Visit>
+  KOKKOS_FORCEINLINE_FUNCTION static void for_each_pack(const CellTile& tile, int from, int to, const auto& i,
+                                                        Visit&& visit) {
+    for (int k = from; k < to; k += width) visit(tile.template neighbours<Pack>(k, i.x));
+  }
+
   /// Makes candidates those of the collected ones that come within `reach` of the sub-cell's targets; for one or two
-  /// targets that does not pay, and all collected ones stay candidates.
-  void select(int sub_cell, double reach) {
+  /// targets that does not pay, and all collected ones stay candidates. Tells which.
+  bool select(int sub_cell, double reach) {
     candidates_ = near_;
-    if (std::popcount(targets_of(sub_cell * sub_cell_size, sub_cell_size)) <= 2) return;
+    if (std::popcount(targets_of(sub_cell * sub_cell_size, sub_cell_size)) <= 2) return false;
     const Bounds<D>& b = sub_bounds(sub_cell);
     T centre[D], half[D];
     for (int d = 0; d < D; ++d) {
@@ -101,51 +118,39 @@ class TiledCell {
       centre[d] = static_cast<T>(0.5 * (lo + hi));
       half[d] = static_cast<T>(0.5 * (hi - lo));
     }
-    T *const from = near_.data, *to = sub_.data;
-    const int n = near_.count;
-    for (int k = 0; k < n; k += width) {
+    const T* from = near_.data;
+    T* to = sub_.data;
+    for (int k = 0, n = near_.count; k < n; k += width, from += width) {
       Pack x[D];
-      for (int d = 0; d < D; ++d) x[d] = load_row<Position>(from, k, d) - Pack(centre[d]);
+      for (int d = 0; d < D; ++d) x[d] = at<Position>(from, d) - Pack(centre[d]);
       Pack reach_of = static_cast<T>(reach);
-      if constexpr (mode == Reach::symmetric)
-        reach_of = sphk::max(reach_of, Pack(T(1)) / load_row<InverseSupport>(from, k));
-      const Compress<Pack> chosen(within(x, half, reach_of) & first_lanes(n - k));
-      for (int row = 0; row < CellTile::rows; ++row)
-        chosen.store(to + row * CellTile::stride, sphk::load<Pack>(from + row * CellTile::stride + k));
-      to += chosen.count();
+      if constexpr (mode == Reach::symmetric) reach_of = sphk::max(reach_of, Pack(T(1)) / at<InverseSupport>(from));
+      to += copy(from, within(x, half, reach_of), to);
     }
     sub_.count = static_cast<int>(to - sub_.data);
+    sub_.template pad<Pack>(out_of_reach(sub_, reach));
     candidates_ = sub_;
+    return true;
   }
 
-  /// Makes neighbours() those of the candidates with r < reach from x, or r < h_j where pairs are symmetric, filled up
-  /// to whole packs with neighbours out of reach.
+  /// Makes neighbours() those of the candidates with r < reach from x, or r < h_j where pairs are symmetric.
   void list(const Vec<Pack, D>& x, double reach) {
     const Pack reach2 = static_cast<T>(reach * reach);
-    T *const from = candidates_.data, *to = list_.data;
-    const int n = candidates_.count;
-    for (int k = 0; k < n; k += width) {
+    const T* from = candidates_.data;
+    T* to = list_.data;
+    for (int k = 0, n = candidates_.count; k < n; k += width, from += width) {
       Vec<Pack, D> r_ij;
-      for (int d = 0; d < D; ++d) r_ij[d] = x[d] - load_row<Position>(from, k, d);
+      for (int d = 0; d < D; ++d) r_ij[d] = x[d] - at<Position>(from, d);
       const Pack r2 = dot(r_ij, r_ij);
       unsigned bits = mask_bits(r2 < reach2);
       if constexpr (mode == Reach::symmetric) {
-        const Pack h_inv = load_row<InverseSupport>(from, k);
+        const Pack h_inv = at<InverseSupport>(from);
         bits |= mask_bits(r2 * h_inv * h_inv < Pack(T(1)));
       }
-      bits &= first_lanes(n - k);
-      if (bits == 0) continue;
-      const Compress<Pack> chosen(bits);
-      for (int d = 0; d < D; ++d) chosen.store(list_row<Separation>(to, d), r_ij[d]);
-      chosen.store(list_row<Distance2>(to), r2);
-      for_each_type(NeighbourFields<FieldList>{}, [&]<class F>() {
-        if constexpr (!is_separation<F>)
-          for (int c = 0; c < components<F, D>; ++c) chosen.store(list_row<F>(to, c), load_row<F>(from, k, c));
-      });
-      to += chosen.count();
+      if (bits != 0) to += copy(from, bits, to);
     }
     list_.count = static_cast<int>(to - list_.data);
-    if (list_.count > 0) list_.template pad<Distance2>(width, beyond_reach(reach));
+    list_.template pad<Pack>(out_of_reach(list_, reach));
   }
 
  private:
@@ -153,20 +158,47 @@ class TiledCell {
   static constexpr int narrow = width < sub_cell_size ? width : sub_cell_size;
   using NarrowPack = simd<T, narrow>;
 
-  /// A load waits for an earlier store whose address has the same low 12 bits. The list therefore starts 3/4 of such a
-  /// page after the candidates that it is made of: while it falls behind them, the two stay apart.
+  /// A load waits for an earlier store whose address has the same low 12 bits: tiles that are made of each other start
+  /// far from each other within such a page.
   static constexpr std::size_t page = 4096;
+  /// Where a tile starts that follows another one, `apart` bytes further in its page.
+  static T* after(T* tile, std::size_t apart) {
+    constexpr std::size_t bytes = CellTile::entries * sizeof(T);
+    return tile + (bytes + (page + apart - bytes % page) % page) / sizeof(T);
+  }
+  /// Entries whose rows stay in a host's first cache while the targets of a sub-cell pass over them.
+  static constexpr int block_size = 16384 / (CellTile::rows * static_cast<int>(sizeof(T))) / width * width;
 
   TargetMask targets_of(int i, int count) const { return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1); }
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
-  template <class F>
-  static Pack load_row(const T* tile, int k, int component = 0) {
-    return sphk::load<Pack>(tile + CellTile::template offset<F>(component) + k);
+  /// The list of target i.
+  void list(int i) {
+    Vec<Pack, D> x;
+    for (int d = 0; d < D; ++d) x[d] = Pack(static_cast<T>(columns_.template at<Position>(i, d) - frame_.x[d]));
+    list(x, columns_.template at<Support>(i));
   }
+
+  /// A pack of a component of field F in a tile, one of whose entries is the first of the pack.
   template <class F>
-  static T* list_row(T* list, int component = 0) {
-    return list + Neighbours::template offset<F>(component);
+  static Pack at(const T* first, int component = 0) {
+    return sphk::load<Pack>(first + CellTile::template offset<F>(component));
+  }
+  /// Copies the chosen of a pack of entries; tells how many.
+  KOKKOS_FORCEINLINE_FUNCTION static int copy(const T* from, unsigned bits, T* to) {
+    const Compress<Pack> chosen(bits);
+#pragma GCC unroll 64
+    for (int row = 0; row < CellTile::rows; ++row)
+      chosen.store(to + row * CellTile::stride, sphk::load<Pack>(from + row * CellTile::stride));
+    return chosen.count();
+  }
+
+  /// A place along the first axis from which neither `reach` nor the support of the last entry gets to any target.
+  T out_of_reach(const CellTile& tile, double reach) const {
+    if constexpr (mode == Reach::symmetric)
+      if (tile.count > 0)
+        reach = sphk::max(reach, 1.0 / static_cast<double>(tile.template row<InverseSupport>()[tile.count - 1]));
+    return static_cast<T>(0.5 * (bounds_.hi[0] - bounds_.lo[0]) + 2 * reach);
   }
 
   template <class P>
@@ -237,13 +269,6 @@ class TiledCell {
     return sphk::load<NarrowPack>(relative);
   }
 
-  /// A squared distance out of the reach of the particle and of the list's last neighbour.
-  T beyond_reach(double reach) const {
-    if constexpr (mode == Reach::symmetric)
-      reach = sphk::max(reach, 1.0 / static_cast<double>(list_.template row<InverseSupport>()[list_.count - 1]));
-    return static_cast<T>(4 * reach * reach);
-  }
-
   const CellTree<D>& tree_;
   const C& columns_;
   int cell_;
@@ -251,8 +276,7 @@ class TiledCell {
   Frame<D> frame_;
   Bounds<D> bounds_, sub_bounds_[fan_out];
   double reach_ = 0;
-  CellTile near_, sub_, candidates_;
-  Neighbours list_;
+  CellTile near_, sub_, candidates_, list_;
 };
 
 }  // namespace sphk

@@ -4,6 +4,10 @@
 #include <Kokkos_SIMD.hpp>
 #include <type_traits>
 
+/// Behind the parameters of a lambda: compilers leave bodies of loops that are called from two places out of line, and
+/// pass packs through memory.
+#define SPHK_ALWAYS_INLINE __attribute__((always_inline))
+
 namespace sphk {
 
 namespace stdx = Kokkos::Experimental;
@@ -140,25 +144,96 @@ KOKKOS_FORCEINLINE_FUNCTION P load(const lane_t<P>* from) {
     return P(from, stdx::simd_flag_default);
 }
 
-/// The sum over the lanes, in a fixed order.
-template <class T, class A>
-KOKKOS_FORCEINLINE_FUNCTION T sum_lanes(const stdx::basic_simd<T, A>& a) {
+namespace detail {
+
+struct Add {
+  template <class T>
+  T operator()(T a, T b) const {
+    return a + b;
+  }
+};
+struct Max {
+  template <class T>
+  T operator()(T a, T b) const {
+    return max(a, b);
+  }
+#if defined(KOKKOS_ARCH_AVX2) || defined(KOKKOS_ARCH_AVX512XEON)
+  __m128 operator()(__m128 a, __m128 b) const {
+    return _mm_max_ps(b, a);
+  }
+  __m256 operator()(__m256 a, __m256 b) const {
+    return _mm256_max_ps(b, a);
+  }
+  __m128d operator()(__m128d a, __m128d b) const {
+    return _mm_max_pd(b, a);
+  }
+  __m256d operator()(__m256d a, __m256d b) const {
+    return _mm256_max_pd(b, a);
+  }
+#endif
+};
+
+// Folds the upper half of the lanes onto the lower one until one is left. Compilers keep loops over the lanes of a pack
+// in memory as loops.
+template <class T, class Op>
+T fold(const T* lane, int width, const Op& op) {
+  T folded[16];
+  for (int k = 0; k < width; ++k) folded[k] = lane[k];
+  for (int half = width / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) folded[k] = op(folded[k], folded[k + half]);
+  return folded[0];
+}
+#if defined(KOKKOS_ARCH_AVX2) || defined(KOKKOS_ARCH_AVX512XEON)
+template <class Op>
+float fold(__m256 a, const Op& op) {
+  __m128 b = op(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1));
+  b = op(b, _mm_movehl_ps(b, b));
+  return _mm_cvtss_f32(op(b, _mm_shuffle_ps(b, b, 1)));
+}
+template <class Op>
+double fold(__m256d a, const Op& op) {
+  const __m128d b = op(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+  return _mm_cvtsd_f64(op(b, _mm_unpackhi_pd(b, b)));
+}
+#endif
+#if defined(KOKKOS_ARCH_AVX512XEON)
+template <class Op>
+float fold(__m512 a, const Op& op) {
+  return fold(op(_mm512_castps512_ps256(a), _mm512_extractf32x8_ps(a, 1)), op);
+}
+template <class Op>
+double fold(__m512d a, const Op& op) {
+  return fold(op(_mm512_castpd512_pd256(a), _mm512_extractf64x4_pd(a, 1)), op);
+}
+#endif
+
+template <class T, class A, class Op>
+T fold_lanes(const stdx::basic_simd<T, A>& a, const Op& op) {
+#if defined(KOKKOS_ARCH_AVX512XEON)
+  if constexpr (sizeof(a) == 64 && sizeof(T) == 4) return fold(static_cast<__m512>(a), op);
+  if constexpr (sizeof(a) == 64 && sizeof(T) == 8) return fold(static_cast<__m512d>(a), op);
+#endif
+#if defined(KOKKOS_ARCH_AVX2) || defined(KOKKOS_ARCH_AVX512XEON)
+  if constexpr (sizeof(a) == 32 && sizeof(T) == 4) return fold(static_cast<__m256>(a), op);
+  if constexpr (sizeof(a) == 32 && sizeof(T) == 8) return fold(static_cast<__m256d>(a), op);
+#endif
   constexpr int width = static_cast<int>(stdx::basic_simd<T, A>::size());
   T lane[width];
   store(lane, a);
-  for (int half = width / 2; half > 0; half /= 2)
-    for (int k = 0; k < half; ++k) lane[k] += lane[k + half];
-  return lane[0];
+  return fold(lane, width, op);
+}
+
+}  // namespace detail
+
+/// The sum over the lanes, in a fixed order.
+template <class T, class A>
+KOKKOS_FORCEINLINE_FUNCTION T sum_lanes(const stdx::basic_simd<T, A>& a) {
+  return detail::fold_lanes(a, detail::Add{});
 }
 
 template <class T, class A>
 KOKKOS_FORCEINLINE_FUNCTION T max_lanes(const stdx::basic_simd<T, A>& a) {
-  constexpr int width = static_cast<int>(stdx::basic_simd<T, A>::size());
-  T lane[width];
-  store(lane, a);
-  for (int half = width / 2; half > 0; half /= 2)
-    for (int k = 0; k < half; ++k) lane[k] = max(lane[k], lane[k + half]);
-  return lane[0];
+  return detail::fold_lanes(a, detail::Max{});
 }
 
 }  // namespace sphk

@@ -32,16 +32,17 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
 
   explicit FitVelocity(const State<S>& of) : Base{of} {}
 
-  KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, FitCounts& counts) const {
-    Base::for_targets_of(team, [&](Cell& cell) { fit(cell, counts); });
-  }
-  void fit(Cell& cell, FitCounts& counts) const {
+  void serve(Cell& cell, FitCounts& counts) const {
     double sums[cell_size / batch][sums_size][batch];
     const int begin = cell.begin();
     for (int first = begin; first < cell.end(); first += batch)
       if (cell.has_targets(first, batch)) std::fill_n(&sums[(first - begin) / batch][0][0], sums_size * batch, 0.0);
-    cell.for_each_target(root(state.tree),
-                         [&](int i) { add_sums(cell, i, &sums[(i - begin) / batch][0][(i - begin) % batch]); });
+    cell.for_each_target(
+        root(state.tree), true,
+        [&](int i, const auto& tile, int, int) {
+          add_sums(cell, i, tile, &sums[(i - begin) / batch][0][(i - begin) % batch]);
+        },
+        [](int) {});
     for (int first = begin; first < cell.end(); first += batch) {
       if (!cell.has_targets(first, batch)) continue;
       Solver fit;
@@ -51,90 +52,85 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     }
   }
 
-  /// One thread per particle.
-  KOKKOS_INLINE_FUNCTION void operator()(int i, FitCounts& counts) const {
-    if (!state.active.contains(i)) return;
-    const typename Base::Walk walk{state.tree, state.columns};
+  KOKKOS_INLINE_FUNCTION void serve(const typename Base::Walk& walk, int i, FitCounts& counts) const {
     const auto target = walk.target(i);
     const T h_D = power_of_dimension<D>(1 / target.h_inv);
     double sums[sums_size] = {};
     walk.for_each(i, state.template at<Support>(i), [&](const auto& j) {
-      const T w = weight(target, h_D, j.r2, j.h_inv, j.m);
-      const Vec<T, D> x = -target.h_inv * j.r_ij;
-      for_each_index<M::count>([&]<int k>() { sums[k] += moment<k>(w, x); });
-      for (int c = 0; c < D; ++c) {
-        const T w_dv = w * (j.v[c] - target.v[c]);
-        for_each_index<M::basis>([&]<int k>() { sums[M::count + c * M::basis + k] += w_dv * basis_value<D, k>(x); });
-      }
+      const auto place = weigh(target, h_D, j);
+      T share[sums_size] = {};
+      add<0, M::count>(share, place);
+      for (int c = 0; c < D; ++c) add_velocity(share + M::count + c * M::basis, place, j.v[c] - target.v[c]);
+      for (int k = 0; k < sums_size; ++k) sums[k] += share[k];
     });
     PolynomialFit<double, D, D> fit;
     store_lane(fit, 0, i, solve(fit, sums), counts);
   }
 
  private:
-  /// m_j Wbar of S12 eq 27 over (N_D/2) h_i^-D, which no fit feels; h_D is h_i^D.
+  /// A neighbour as the fit of a particle sees it.
   template <class P>
-  KOKKOS_FORCEINLINE_FUNCTION P weight(const auto& i, const P& h_D, const P& r2, const P& h_inv, const P& m) const {
-    const P r = sphk::sqrt(r2);
-    const P w_i = state.smoothing.kernel.w(r * i.h_inv), w_j = state.smoothing.kernel.w(r * h_inv);
-    return m * (w_i + h_D * power_of_dimension<D>(h_inv) * w_j);
+  struct Place {
+    P w;          ///< m_j Wbar of S12 eq 27 over (N_D/2) h_i^-D, which no fit feels
+    Vec<P, D> x;  ///< (x_j - x_i)/h_i
+  };
+  /// h_D is h_i^D.
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION Place<P> weigh(const auto& i, const P& h_D, const auto& j) const {
+    const P r = sphk::sqrt(j.r2);
+    const P w_i = state.smoothing.kernel.w(r * i.h_inv), w_j = state.smoothing.kernel.w(r * j.h_inv);
+    return {j.m * (w_i + h_D * power_of_dimension<D>(j.h_inv) * w_j), -i.h_inv * j.r_ij};
   }
-  template <int k, class P>
-  KOKKOS_FORCEINLINE_FUNCTION static P moment(const P& w, const Vec<P, D>& x) {
-    constexpr auto factors = M::factors(k);
-    return (w * basis_value<D, factors.one>(x)) * basis_value<D, factors.other>(x);
+  /// Adds the moments first, first + 1, ..., `size` of them.
+  template <int first, int size, class P>
+  KOKKOS_FORCEINLINE_FUNCTION static void add(P* sum, const Place<P>& at) {
+    for_each_index<size>([&]<int s>() {
+      constexpr auto factors = M::factors(first + s);
+      sum[s] = sum[s] + (at.w * basis_value<D, factors.one>(at.x)) * basis_value<D, factors.other>(at.x);
+    });
+  }
+  /// Adds the right-hand sides of a velocity component whose difference is dv.
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION static void add_velocity(P* sum, const Place<P>& at, const P& dv) {
+    const P w_dv = at.w * dv;
+    for_each_index<M::basis>([&]<int s>() { sum[s] = sum[s] + w_dv * basis_value<D, s>(at.x); });
   }
 
-  /// Where the weight and the offsets (x_j - x_i)/h_i replace r^2 and r_ij in the list of neighbours.
-  static Vec<Pack, D> offset(const typename Cell::Neighbours& list, int k) {
-    Vec<Pack, D> x;
-    for (int d = 0; d < D; ++d) x[d] = load<Pack>(list.template row<Separation>(d) + k);
-    return x;
-  }
-  static Pack weight_of(const typename Cell::Neighbours& list, int k) {
-    return load<Pack>(list.template row<Distance2>() + k);
+  /// More sums than registers: the list is passed several times. Weights and offsets take the place of 1/h and
+  /// positions in it.
+  using NeighbourList = typename Cell::CellTile;
+  static Place<Pack> place(const NeighbourList& list, int k) {
+    Place<Pack> at{list.template load<Pack, InverseSupport>(k), {}};
+    for (int d = 0; d < D; ++d) at.x[d] = list.template load<Pack, Position>(k, d);
+    return at;
   }
 
-  void add_sums(Cell& cell, int i, double* sums) const {
+  void add_sums(const Cell& cell, int i, const NeighbourList& list, double* sums) const {
     const auto target = Base::target_of(cell, i);
-    cell.list(target.x, state.template at<Support>(i));
-    const auto& list = cell.neighbours();
     const Pack h_D = power_of_dimension<D>(Pack(T(1)) / target.h_inv);
     for (int k = 0; k < list.count; k += Cell::width) {
-      const Pack w = weight(target, h_D, weight_of(list, k), load<Pack>(list.template row<InverseSupport>() + k),
-                            load<Pack>(list.template row<Mass>() + k));
-      const Vec<Pack, D> x = -target.h_inv * offset(list, k);
-      store(list.template row<Distance2>() + k, w);
-      for (int d = 0; d < D; ++d) store(list.template row<Separation>(d) + k, x[d]);
+      const Place<Pack> at = weigh(target, h_D, list.template neighbours<Pack>(k, target.x));
+      store(list.template row<InverseSupport>() + k, at.w);
+      for (int d = 0; d < D; ++d) store(list.template row<Position>(d) + k, at.x[d]);
     }
     constexpr int blocks = (M::count + block - 1) / block;
     for_each_index<blocks>([&]<int b>() {
       constexpr int first = b * block, size = first + block < M::count ? block : M::count - first;
-      add_moments<first, size>(list, sums);
+      sum_up<size>(list, sums + first * batch,
+                   [](Pack* sum, int, const auto& at) SPHK_ALWAYS_INLINE { add<first, size>(sum, at); });
     });
-    for (int c = 0; c < D; ++c) add_velocity(list, c, target.v[c], sums);
+    for (int c = 0; c < D; ++c)
+      sum_up<M::basis>(list, sums + (M::count + c * M::basis) * batch,
+                       [&](Pack* sum, int k, const auto& at) SPHK_ALWAYS_INLINE {
+                         add_velocity(sum, at, list.template load<Pack, Velocity>(k, c) - target.v[c]);
+                       });
   }
-
-  template <int first, int size>
-  static void add_moments(const typename Cell::Neighbours& list, double* sums) {
+  template <int size>
+  static void sum_up(const NeighbourList& list, double* sums, const auto& add_to) {
     Pack sum[size];
     for (Pack& each : sum) each = Pack(T(0));
-    for (int k = 0; k < list.count; k += Cell::width) {
-      const Pack w = weight_of(list, k);
-      const Vec<Pack, D> x = offset(list, k);
-      for_each_index<size>([&]<int s>() { sum[s] = sum[s] + moment<first + s>(w, x); });
-    }
-    for (int s = 0; s < size; ++s) sums[(first + s) * batch] += sum_lanes(sum[s]);
-  }
-  static void add_velocity(const typename Cell::Neighbours& list, int c, const Pack& v, double* sums) {
-    Pack sum[M::basis];
-    for (Pack& each : sum) each = Pack(T(0));
-    for (int k = 0; k < list.count; k += Cell::width) {
-      const Pack w_dv = weight_of(list, k) * (load<Pack>(list.template row<Velocity>(c) + k) - v);
-      const Vec<Pack, D> x = offset(list, k);
-      for_each_index<M::basis>([&]<int s>() { sum[s] = sum[s] + w_dv * basis_value<D, s>(x); });
-    }
-    for (int s = 0; s < M::basis; ++s) sums[(M::count + c * M::basis + s) * batch] += sum_lanes(sum[s]);
+    for (int k = 0; k < list.count; k += Cell::width) add_to(sum, k, place(list, k));
+    for (int s = 0; s < size; ++s) sums[s * batch] += sum_lanes(sum[s]);
   }
 
   template <class P>

@@ -6,11 +6,21 @@
 
 namespace sphk {
 
-/// What the loops over pairs of scheme S have in common: a loop derives from this, names the fields that it reads of
-/// both sides, and has one operator for a thread per particle and one for a team per cell.
-template <class S, class FieldList, Reach mode>
+/// Whether the pair loops of scheme S run with one thread a particle: on a GPU, and where a scheme asks for it, as
+/// tests do that compare.
+template <class S>
+inline constexpr bool by_particles = !tiles_pay || requires {
+  S::one_thread_a_particle;
+};
+
+/// What the loops over pairs of scheme S have in common. A loop derives from this and names the fields that it reads of
+/// both sides. Drivers run it: by cells on a host, `serve(cell, counts...)`, or with one thread a particle, on a GPU
+/// and as the reference of tests, `serve(walk, i, counts...)`; what a pair adds stands in one place for both.
+template <class S, class FieldList, Reach reach>
 struct PairLoop {
   static constexpr int D = S::dimension;
+  static constexpr Reach mode = reach;
+  static constexpr bool by_particles = sphk::by_particles<S>;
   using T = typename S::PairNumber;
   using Fields = FieldList;
   using Columns = typename Particles<typename S::Layout>::Columns;
@@ -18,19 +28,21 @@ struct PairLoop {
   using Pack = typename Cell::Pack;
   using Walk = ThreadWalk<T, D, Fields, mode, Columns>;
   using TargetFields = Union<List<Position, InverseSupport>, Fields>;
-  using Policy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-  using Team = typename Policy::member_type;
-  static constexpr int scratch_level = 1;
 
   State<S> state;
 
-  /// Calls f(cell) for the cell of a team of one host thread: once for all of its targets, or for one after the other
-  /// where the cell is too wide for that, in space or in velocities.
+  /// Whether lists of neighbours pay, or a sub-cell's candidates serve each of its particles, in and out of reach: a
+  /// third of few are neighbours, and half of many.
+  bool lists_pay() const {
+    if constexpr (requires { S::Kernel::lane_by_lane; }) return true;
+    return state.parameters.neighbours < 150;
+  }
+
+  /// Calls f(cell) for a cell: once for all of its targets, or for one after the other where the cell is too wide for
+  /// that, in space or in velocities. `scratch`: Cell::scratch_bytes() of memory.
   template <class F>
-  void for_targets_of(const Team& team, F&& f) const {
-    const int number = state.active.cell(team.league_rank());
+  void for_targets_of(int number, void* scratch, F&& f) const {
     const TargetMask targets = state.active.targets(state.tree, number);
-    void* const scratch = team.team_scratch(scratch_level).get_shmem(Cell::scratch_bytes());
     const bool wide = is_wide(number) || is_torn(number);
     for (TargetMask left = targets; left != 0; left = wide ? left & (left - 1) : 0) {
       Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left);
@@ -78,14 +90,47 @@ struct PairLoop {
 };
 
 namespace detail {
+
 /// A loop over cells whose type the dispatch does not know: one for all loops, since Kokkos' dispatch of each is up to
 /// a quarter of a scheme's compile time. A call a cell costs nothing that can be measured.
-template <class Team, class... Sum>
-struct AnyLoop {
+template <class... Sum>
+struct ByCells {
+  using Policy = Kokkos::TeamPolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+  static constexpr int scratch_level = 1;
+
   const void* loop;
-  void (*run)(const void*, const Team&, Sum&...);
-  void operator()(const Team& team, Sum&... sum) const { run(loop, team, sum...); }
+  void (*serve)(const void*, int, void*, Sum&...);
+  std::size_t scratch_bytes;
+  void operator()(const typename Policy::member_type& team, Sum&... sum) const {
+    serve(loop, team.league_rank(), team.team_scratch(scratch_level).get_shmem(scratch_bytes), sum...);
+  }
 };
+
+template <class Loop, class... Sum>
+void serve_cell(const void* of, int k, void* scratch, Sum&... sum) {
+  const Loop& loop = *static_cast<const Loop*>(of);
+  loop.for_targets_of(loop.state.active.cell(k), scratch, [&](typename Loop::Cell& cell) { loop.serve(cell, sum...); });
+}
+
+/// One thread a particle.
+template <class Loop>
+struct ByParticles {
+  Loop loop;
+  template <class... Sum>
+  KOKKOS_INLINE_FUNCTION void operator()(int i, Sum&... sum) const {
+    const auto& state = loop.state;
+    if (state.active.contains(i)) loop.serve(typename Loop::Walk{state.tree, state.columns}, i, sum...);
+  }
+};
+
+template <class Body, class Policy, class... Reducer>
+void launch(const char* name, const Policy& policy, const Body& body, const Reducer&... reducer) {
+  if constexpr (sizeof...(Reducer) == 0)
+    Kokkos::parallel_for(name, policy, body);
+  else
+    Kokkos::parallel_reduce(name, policy, body, reducer...);
+}
+
 }  // namespace detail
 
 /// Runs a pair loop over the active particles: by cells on a host, by particles on a GPU.
@@ -93,22 +138,15 @@ template <class Loop, class... Reducer>
 void run_pairs(const char* name, const Loop& loop, const Reducer&... reducer) {
   const auto& state = loop.state;
   if (state.n == 0) return;
-  const auto launch = [&](const auto& policy, const auto& body) {
-    if constexpr (sizeof...(Reducer) == 0)
-      Kokkos::parallel_for(name, policy, body);
-    else
-      Kokkos::parallel_reduce(name, policy, body, reducer...);
-  };
-  if constexpr (tiles_pay) {
-    using Team = typename Loop::Team;
-    auto policy = typename Loop::Policy(state.active.cells(state.tree), 1);
-    policy.set_scratch_size(Loop::scratch_level, Kokkos::PerTeam(Loop::Cell::scratch_bytes()));
-    launch(policy, detail::AnyLoop<Team, typename Reducer::value_type...>{
-                       &loop, [](const void* of, const Team& team, typename Reducer::value_type&... sum) {
-                         (*static_cast<const Loop*>(of))(team, sum...);
-                       }});
+  if constexpr (Loop::by_particles) {
+    detail::launch(name, Kokkos::RangePolicy<ExecutionSpace>(0, state.n), detail::ByParticles<Loop>{loop}, reducer...);
   } else {
-    launch(Kokkos::RangePolicy<ExecutionSpace>(0, state.n), loop);
+    using Body = detail::ByCells<typename Reducer::value_type...>;
+    auto policy = typename Body::Policy(state.active.cells(state.tree), 1);
+    policy.set_scratch_size(Body::scratch_level, Kokkos::PerTeam(Loop::Cell::scratch_bytes()));
+    detail::launch(name, policy,
+                   Body{&loop, &detail::serve_cell<Loop, typename Reducer::value_type...>, Loop::Cell::scratch_bytes()},
+                   reducer...);
   }
 }
 

@@ -34,43 +34,46 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
 
   PairSums(const State<S>& of, const Terms& t, const Out& o) : Base{of}, terms(t), out(o) {}
 
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    if (!state.active.contains(i)) return;
-    const typename Base::Walk walk{state.tree, state.columns};
-    const auto values = walk.target(i);
+  /// What j adds to i's sums.
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(Values<P, D, Adds>& sums, const auto& i, const auto& j) const {
+    terms(sums, i, j, pair_of<mode, P, D>(state.smoothing, i, j));
+  }
+
+  KOKKOS_INLINE_FUNCTION void serve(const typename Base::Walk& walk, int i) const {
+    const auto target = walk.target(i);
     Sums sums;
     set_zero(sums);
     walk.for_each(i, state.template at<Support>(i), [&](const auto& j) {
-      Values<T, D, Adds> pair_sums;
-      set_zero(pair_sums);
-      terms(pair_sums, values, j, pair_of<mode, T, D>(state.smoothing, values, j));
-      accumulate(sums, pair_sums);
+      Values<T, D, Adds> share;
+      set_zero(share);
+      visit(share, target, j);
+      accumulate(sums, share);
     });
     out.store(i, sums);
   }
 
-  KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team) const {
-    Base::for_targets_of(team, [&](Cell& cell) {
-      Sums sums[cell_size];
-      const int begin = cell.begin(), n = cell.end() - begin;
-      for (int k = 0; k < n; ++k) set_zero(sums[k]);
-      cell.for_each_target(root(state.tree), [&](int i) { add_sums(cell, i, sums[i - begin]); });
-      for (int k = 0; k < n; ++k)
-        if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
-    });
+  void serve(Cell& cell) const {
+    Sums sums[cell_size];
+    Values<Pack, D, Adds> packs[sub_cell_size];
+    const int begin = cell.begin(), n = cell.end() - begin;
+    for (int k = 0; k < n; ++k) set_zero(sums[k]);
+    cell.for_each_target(
+        root(state.tree), Base::lists_pay(),
+        [&](int i, const auto& tile, int from, int to) { add(cell, i, tile, from, to, packs[i % sub_cell_size]); },
+        [&](int i) { accumulate(sums[i - begin], packs[i % sub_cell_size]); });
+    for (int k = 0; k < n; ++k)
+      if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
   }
-
-  void add_sums(Cell& cell, int i, Sums& sums) const {
-    const auto values = Base::target_of(cell, i);
-    cell.list(values.x, state.template at<Support>(i));
-    const auto& neighbours = cell.neighbours();
-    Values<Pack, D, Adds> packs;
-    set_zero(packs);
-    for (int k = 0; k < neighbours.count; k += Cell::width) {
-      const auto j = neighbours.template load<Pack>(k);
-      terms(packs, values, j, pair_of<mode, Pack, D>(state.smoothing, values, j));
-    }
-    accumulate(sums, packs);
+  void add(const Cell& cell, int i, const auto& tile, int from, int to, Values<Pack, D, Adds>& packs) const {
+    const auto target = Base::target_of(cell, i);
+    Values<Pack, D, Adds> sums;
+    if (from == 0)
+      set_zero(sums);
+    else
+      sums = packs;
+    Cell::for_each_pack(tile, from, to, target, [&](const auto& j) SPHK_ALWAYS_INLINE { visit(sums, target, j); });
+    packs = sums;
   }
 };
 

@@ -91,11 +91,11 @@ struct Schedule {
   bool limiter = true;     ///< neighbours stay within a factor 4
   bool starting = false;   ///< the run's first block: neighbours begin with one step, and none is longer than the run
   double updates_since_sort = 1e300;
-  Kokkos::View<int*, MemorySpace> caps;                          ///< powers that neighbours allow
-  ParticleSubset capped[2];                                           ///< whose caps are below their steps; by turns
-  Kokkos::View<StepRange*, MemorySpace> ranges;                  ///< of every node of the tree
-  Kokkos::View<Ticks*, MemorySpace> other;                       ///< where the sort puts begins and ends
-  Kokkos::View<std::uint8_t*, MemorySpace> other_power;          ///< and powers
+  Kokkos::View<int*, MemorySpace> caps;                  ///< powers that neighbours allow
+  ParticleSubset capped[2];                              ///< whose caps are below their steps; by turns
+  Kokkos::View<StepRange*, MemorySpace> ranges;          ///< of every node of the tree
+  Kokkos::View<Ticks*, MemorySpace> other;               ///< where the sort puts begins and ends
+  Kokkos::View<std::uint8_t*, MemorySpace> other_power;  ///< and powers
 };
 
 /// A run between two passes. L is a BaseLayout: passes that know more see the same particles by state.as<>().

@@ -32,7 +32,7 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   using typename Base::Cell;
   using typename Base::Pack;
   using typename Base::T;
-  using Sums = Values<double, D, typename Terms::Adds>;
+  using Adds = typename Terms::Adds;
   using Result = SupportSearch::Result;
 
   Terms terms;    ///< the further sums, taken once, at the final h
@@ -44,17 +44,23 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   struct Task {
     SupportSearch search;
     ShapeSums<double> shapes{};
-    Sums sums;
+    Values<double, D, Adds> sums;
     Result result = Result::search;
     bool done = true;
   };
 
+  /// What j adds at a trial h.
   template <class P>
-  KOKKOS_FORCEINLINE_FUNCTION ShapeSums<P> shape_of(const P& r2, const P& m, const P& h_inv) const {
-    const P q = sphk::sqrt(r2) * h_inv;
+  KOKKOS_FORCEINLINE_FUNCTION void visit(ShapeSums<P>& sums, const P& h_inv, const auto& j) const {
+    const P q = sphk::sqrt(j.r2) * h_inv;
     const Shape<P> shape = with_own_derivative(state.smoothing.kernel, q);
     const P q_dw = q * shape.dw;
-    return {shape.w, q_dw, m * shape.w, m * q_dw};
+    sums += ShapeSums<P>{shape.w, q_dw, j.m * shape.w, j.m * q_dw};
+  }
+  /// What j adds to the further sums, at the final h.
+  template <class P>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(Values<P, D, Adds>& sums, const auto& i, const auto& j) const {
+    terms(sums, i, j, gather_pair<P, D>(state.smoothing, i, j));
   }
 
   /// Takes n = N_D h^-D sum w (S12 eq 11) and dn/dh = -N_D h^(-D-1) sum (D w + q dw) of the trial h to the next one;
@@ -77,43 +83,42 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   }
 
   KOKKOS_INLINE_FUNCTION void finish(Task& task, int i, SupportCounts& counts) const {
-    Sums& sums = task.sums;
+    auto& sums = task.sums;
     const double rho = state.template at<Density>(i);
-    if constexpr (contains<VelocityDivergence, typename Terms::Adds>) sums.div_v /= rho;
-    if constexpr (contains<VelocityCurl, typename Terms::Adds>) sums.curl_v = (1 / rho) * sums.curl_v;
+    if constexpr (contains<VelocityDivergence, Adds>) sums.div_v /= rho;
+    if constexpr (contains<VelocityCurl, Adds>) sums.curl_v = (1 / rho) * sums.curl_v;
     state.columns.store(i, sums);
     task.done = true;
     counts.count(task.search, task.result);
   }
 
   /// One thread per particle: every evaluation walks the tree again.
-  KOKKOS_INLINE_FUNCTION void operator()(int i, SupportCounts& counts) const {
-    if (!state.active.contains(i)) return;
-    const typename Base::Walk walk{state.tree, state.columns};
-    auto values = walk.target(i);
+  KOKKOS_INLINE_FUNCTION void serve(const typename Base::Walk& walk, int i, SupportCounts& counts) const {
+    auto target = walk.target(i);
     Task task;
     task.search = {state.template at<Support>(i)};
     while (task.result == Result::search) {
       const T h_inv = static_cast<T>(1 / task.search.h);
       task.shapes = {};
-      walk.for_each(i, task.search.h, [&](const auto& j) { task.shapes += shape_of(j.r2, j.m, h_inv); });
+      walk.for_each(i, task.search.h, [&](const auto& j) {
+        ShapeSums<T> share{};
+        visit(share, h_inv, j);
+        task.shapes += share;
+      });
       advance(task, i);
     }
-    values.h_inv = static_cast<T>(1 / task.search.h);
+    target.h_inv = static_cast<T>(1 / task.search.h);
     set_zero(task.sums);
     walk.for_each(i, task.search.h, [&](const auto& j) {
-      Values<T, D, typename Terms::Adds> pair_sums;
-      set_zero(pair_sums);
-      terms(pair_sums, values, j, gather_pair<T, D>(state.smoothing, values, j));
-      accumulate(task.sums, pair_sums);
+      Values<T, D, Adds> share;
+      set_zero(share);
+      visit(share, target, j);
+      accumulate(task.sums, share);
     });
     finish(task, i, counts);
   }
 
-  KOKKOS_INLINE_FUNCTION void operator()(const typename Base::Team& team, SupportCounts& counts) const {
-    Base::for_targets_of(team, [&](Cell& cell) { search(cell, counts); });
-  }
-  void search(Cell& cell, SupportCounts& counts) const {
+  void serve(Cell& cell, SupportCounts& counts) const {
     const Bounds<D> all = root(state.tree);
     Task tasks[cell_size];
     const int begin = cell.begin(), n = cell.end() - begin;
@@ -172,52 +177,52 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
     }
   }
 
-  /// Searches as far as the candidates reach; the neighbours listed for one trial serve those near it as well.
+  /// Searches as far as the candidates reach; neighbours that are listed for one trial serve those near it as well.
   void follow(Cell& cell, int i, double reach, Task& task, SupportCounts& counts) const {
-    const auto values = Base::target_of(cell, i);
-    double listed = 0;
+    auto target = Base::target_of(cell, i);
+    const bool listed = Base::lists_pay() || Terms::List::size > 0;  // the terms read more of each
+    const auto& tile = listed ? cell.neighbours() : cell.candidates();
+    double reached = listed ? 0 : reach;
+    const auto reach_for = [&](double h) {
+      if (h <= reached) return;
+      reached = min(1.01 * h, reach);
+      cell.list(target.x, reached);
+    };
     while (task.result == Result::search && !(task.search.h > reach)) {  // a NaN is met and fails
-      if (!(task.search.h <= listed)) {
-        listed = min(1.01 * task.search.h, reach);
-        cell.list(values.x, listed);
-      }
-      task.shapes = shapes(cell, task.search.h);
+      reach_for(task.search.h);
+      task.shapes = shapes(tile, target, task.search.h);
       advance(task, i);
     }
     if (task.result == Result::search) return;
-    if (listed == 0) cell.list(values.x, task.search.h);
-    add_terms(cell, values, task);
+    reach_for(task.search.h);
+    add_terms(tile, target, task);
     finish(task, i, counts);
   }
 
+  /// One evaluation, of what the tile holds.
   void add_share(Cell& cell, int i, Task& task) const {
-    const auto values = Base::target_of(cell, i);
-    cell.list(values.x, task.search.h);
-    if (task.result != Result::search) return add_terms(cell, values, task);
-    task.shapes += shapes(cell, task.search.h);
+    auto target = Base::target_of(cell, i);
+    cell.list(target.x, task.search.h);
+    if (task.result != Result::search) return add_terms(cell.neighbours(), target, task);
+    task.shapes += shapes(cell.neighbours(), target, task.search.h);
   }
 
-  ShapeSums<double> shapes(const Cell& cell, double h) const {
-    const auto& neighbours = cell.neighbours();
-    const Pack h_inv = static_cast<T>(1 / h);
+  ShapeSums<double> shapes(const auto& tile, auto& target, double h) const {
     const Pack zero = T(0);
+    target.h_inv = Pack(static_cast<T>(1 / h));
     ShapeSums<Pack> sums{zero, zero, zero, zero};
-    const T *r2 = neighbours.template row<Distance2>(), *m = neighbours.template row<Mass>();
-    for (int k = 0; k < neighbours.count; k += Cell::width)
-      sums += shape_of(load<Pack>(r2 + k), load<Pack>(m + k), h_inv);
+    Cell::for_each_pack(tile, 0, tile.count, target,
+                        [&](const auto& j) SPHK_ALWAYS_INLINE { visit(sums, target.h_inv, j); });
     return {sum_lanes(sums.w), sum_lanes(sums.q_dw), sum_lanes(sums.m_w), sum_lanes(sums.m_q_dw)};
   }
 
-  void add_terms(const Cell& cell, auto values, Task& task) const {
+  void add_terms(const auto& tile, auto& target, Task& task) const {
     if constexpr (Terms::List::size > 0) {
-      const auto& neighbours = cell.neighbours();
-      values.h_inv = Pack(static_cast<T>(1 / task.search.h));
-      Values<Pack, D, typename Terms::Adds> packs;
+      target.h_inv = Pack(static_cast<T>(1 / task.search.h));
+      Values<Pack, D, Adds> packs;
       set_zero(packs);
-      for (int k = 0; k < neighbours.count; k += Cell::width) {
-        const auto j = neighbours.template load<Pack>(k);
-        terms(packs, values, j, gather_pair<Pack, D>(state.smoothing, values, j));
-      }
+      Cell::for_each_pack(tile, 0, tile.count, target,
+                          [&](const auto& j) SPHK_ALWAYS_INLINE { visit(packs, target, j); });
       accumulate(task.sums, packs);
     }
   }

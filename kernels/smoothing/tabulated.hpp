@@ -36,6 +36,8 @@ class Tabulated {
     table_ = table;
   }
 
+  static constexpr bool lane_by_lane = true;  ///< packs are no faster than numbers one by one
+
   template <class T>
   KOKKOS_FORCEINLINE_FUNCTION Shape<T> operator()(T q) const {
     const Row<T> row = gather(q);

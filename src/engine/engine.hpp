@@ -281,8 +281,8 @@ std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const Simulat
 /// All that is compiled of a run for base layout L, passes included.
 template <class L>
 constexpr auto compiled_run() {
-  return std::tuple{&make_run<L>,     &load_run<L>, &sort_cells<L>, &fit_cells<L>, &mark_active<L>,
-                    &assign_steps<L>, &wake_all<L>, &first_end<L>,  &fit_ranges<L>, &fill_row<L>,  &pull_to_centre<L>};
+  return std::tuple{&make_run<L>, &load_run<L>,  &sort_cells<L>, &fit_cells<L>, &mark_active<L>,   &assign_steps<L>,
+                    &wake_all<L>, &first_end<L>, &fit_ranges<L>, &fill_row<L>,  &pull_to_centre<L>};
 }
 
 }  // namespace sphk

@@ -1,0 +1,135 @@
+// Every pair loop of every scheme with one thread a particle, each walking the tree and adding up in double one pair
+// after the other, against the tiles that runs use: the same pairs, summed in another order.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "all_schemes.hpp"
+#include "src/engine/scheme_interface.hpp"
+#include "src/schemes/instantiate.hpp"
+#include "src/schemes/registry.hpp"
+#include "src/schemes/resolve.hpp"
+#include "tests/engine/brute_force.hpp"
+
+namespace sphk::test {
+namespace {
+
+/// Scheme S with pair loops that run by particles, those that schemes share included.
+template <class S>
+struct ByParticles : S {
+  static constexpr bool one_thread_a_particle = true;
+};
+template <class S>
+requires requires {
+  typename S::Core;
+}
+struct ByParticles<S> : S {
+  static constexpr bool one_thread_a_particle = true;
+  using Core = ByParticles<typename S::Core>;
+};
+
+/// Its passes, for a run.
+template <class Tiled>
+class Reference final : public SchemePasses<BaseLayout<typename Tiled::Layout>> {
+ public:
+  using S = ByParticles<Tiled>;
+  using L = typename S::Layout;
+  using Base = BaseLayout<L>;
+  explicit Reference(const typename S::Kernel& kernel) : SchemePasses<Base>(facts_of<Tiled>()), smoothing_(kernel) {}
+
+  void run(int pass, RunOf<L>& run) const override {
+    int k = 0;
+    for_each_type(typename S::StepPasses{}, [&]<class P>() {
+      if (k++ != pass) return;
+      if constexpr (is_over_pairs<P>)
+        P::template run<S>(run, smoothing_);
+      else
+        P::template run<L>(run);
+    });
+  }
+  std::vector<Field> rates(const RunOf<L>&, bool) const override { return {}; }
+  std::vector<Field> errors(const Particles<Base>&) const override { return {}; }
+
+ private:
+  SmoothingOf<S> smoothing_;
+};
+
+/// Row k of the columns of a run, particles in the order of the sort.
+std::vector<double> row(const SavedState& saved, int k, std::size_t n) {
+  const auto& bytes = saved.at("row " + std::to_string(k));
+  std::vector<double> numbers(n);
+  std::memcpy(numbers.data(), bytes.data(), n * sizeof(double));
+  return numbers;
+}
+
+/// The largest difference of a field, over its largest value.
+template <class S, class F>
+double difference(const SavedState& a, const SavedState& b, std::size_t n) {
+  double scale = 0, most = 0;
+  for (int c = 0; c < components<F, S::dimension>; ++c) {
+    const int k = component_offset<S::dimension, F, typename S::Fields> + c;
+    const std::vector<double> x = row(a, k, n), y = row(b, k, n);
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_TRUE(std::isfinite(x[i]) && std::isfinite(y[i])) << F::facts.name;
+      scale = std::max(scale, std::abs(x[i]));
+      most = std::max(most, std::abs(x[i] - y[i]));
+    }
+  }
+  return scale > 0 ? most / scale : most;
+}
+
+/// Compares the right-hand sides with which runs start.
+template <class Facts, class R, class K>
+void compare(const char* kernel, double neighbours) {
+  using S = Scheme<R, 3, K, double>;
+  const ParticleSet gas = shaken_lattice(3, {10, 9, 8}, 0.3, true, 12);
+  SimulationSettings settings{.scheme = Facts::facts.name,
+                              .kernel = kernel,
+                              .energy = R::ThermalForm::name,
+                              .neighbours = neighbours,
+                              .steps = global_steps,
+                              .all_terms = true,
+                              .own_units = Scale{}};
+  settings.precision = "double";
+  settings = resolved(settings, 3, compiled_schemes());
+  SCOPED_TRACE(settings.scheme + " " + settings.energy + " " + kernel);
+  const SavedState reference = make_run<BaseLayout<typename S::Layout>>(
+                                   gas, settings, std::make_unique<Reference<S>>(detail::make_kernel<K>(kernel)))
+                                   ->save();
+  const std::size_t n = gas.size();
+  if constexpr (contains<double, typename detail::PairNumbersOf<R>::type>) {
+    const SavedState tiles = make_simulation(gas, settings)->save();
+    for_each_type(typename S::Fields{}, [&]<class F>() {
+      EXPECT_LT((difference<S, F>(reference, tiles, n)), 1e-12) << F::facts.name;
+    });
+  }
+  settings.precision = "mixed";
+  const SavedState mixed = make_simulation(gas, settings)->save();
+  EXPECT_LT((difference<S, Acceleration>(reference, mixed, n)), 2e-6);
+}
+
+template <class Facts, class... R>
+void compare_recipes(List<R...>) {
+  const auto one = [&]<class Recipe>() {
+    if constexpr (is_complete<Recipe>) compare<Facts, Recipe, Tabulated>("wc4", 60);
+  };
+  (one.template operator()<R>(), ...);
+}
+
+template <class Facts>
+struct EveryLoop : testing::Test {};
+template <class... S>
+auto as_types(List<S...>) -> testing::Types<S...>;
+TYPED_TEST_SUITE(EveryLoop, decltype(as_types(AllSchemes{})));
+
+TYPED_TEST(EveryLoop, OfTilesIsThatOfSingleThreads) {
+  compare_recipes<TypeParam>(typename TypeParam::Recipes{});
+}
+
+/// So many neighbours that candidates are not listed.
+TEST(ManyNeighbours, OfTilesAreThoseOfSingleThreads) {
+  compare<Sph, Sph::Entropy, Hoct<4>>("hoct4", 442);
+}
+
+}  // namespace
+}  // namespace sphk::test
