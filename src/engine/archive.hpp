@@ -11,10 +11,10 @@
 
 namespace sphk {
 
-/// Puts numbers, vectors of numbers and views into a SavedState.
+/// Hands numbers, vectors of numbers and views over as blocks of bytes.
 class StateWriter {
  public:
-  explicit StateWriter(SavedState& state) : state_(state) {}
+  explicit StateWriter(const TakeBlock& take) : take_(take) {}
 
   template <class T>
   void operator()(const std::string& name, const T& value) {
@@ -30,10 +30,9 @@ class StateWriter {
 
  private:
   void put(const std::string& name, const void* data, std::size_t bytes) {
-    const auto* begin = static_cast<const std::uint8_t*>(data);
-    state_[name].assign(begin, begin + bytes);
+    take_(name, {static_cast<const std::uint8_t*>(data), bytes});
   }
-  SavedState& state_;
+  const TakeBlock& take_;
 };
 
 /// Takes them out again. Throws InputError where a block is missing or has another size.

@@ -16,6 +16,23 @@ Counts counts_of(const StepCounts& steps) {
           .softened_mass = losses.mass};
 }
 
+Snapshot Simulation::snapshot() const {
+  Snapshot snapshot = view();
+  for (Field& field : snapshot.fields) {
+    field.fill();
+    field.make = {};
+  }
+  return snapshot;
+}
+
+SavedState Simulation::save() const {
+  SavedState saved;
+  save([&](const std::string& name, std::span<const std::uint8_t> bytes) {
+    saved[name].assign(bytes.begin(), bytes.end());
+  });
+  return saved;
+}
+
 std::vector<std::string> Simulation::warnings() const {
   const Counts c = counts();
   std::vector<std::string> warnings;

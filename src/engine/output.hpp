@@ -7,14 +7,15 @@
 
 namespace sphk {
 
-/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), neighbour counts, ids, sort
-/// keys, cells.
+/// Bytes of device memory per particle: the columns, ids, cells.
 template <class L>
-inline constexpr double bytes_per_particle = 2.0 * sizeof(double) * Particles<L>::Columns::size + 8 + 2 * 8 + 2 * 12 +
+inline constexpr double bytes_per_particle = sizeof(double) * Particles<L>::Columns::size + sizeof(std::uint64_t) +
                                              sizeof(Bounds<L::dimension>) * (1.0 / 7);
 
-/// The same for steps of the particles' own: begins, ends, their second copy and caps; masks and ranges of the cells.
-inline constexpr double bytes_of_own_steps = 4 * sizeof(Ticks) + sizeof(TickRange) * (1.0 / 7) + 12.0 / cell_size;
+/// What steps of the particles' own take beside it: begins, ends and the memory of sorts; masks and ranges of the
+/// cells.
+inline constexpr double bytes_of_own_steps =
+    2 * sizeof(Ticks) + RadixSort::rows * sizeof(double) + sizeof(TickRange) * (1.0 / 7) + 12.0 / cell_size;
 
 /// Flops of one pair inside the support, loop by loop: distance, smoothing kernels, terms.
 inline constexpr int flops_of_distance(int dimension) {

@@ -68,17 +68,21 @@ Totals ScaledSimulation::totals() const {
   return totals;
 }
 
-Snapshot ScaledSimulation::snapshot() const {
-  Snapshot snapshot = inner_->snapshot();
-  snapshot.time *= scale_.factor(time_unit);
-  snapshot.fields = outer(std::move(snapshot.fields));
-  return snapshot;
+Snapshot ScaledSimulation::view() const {
+  Snapshot view = inner_->view();
+  view.time *= scale_.factor(time_unit);
+  for (Field& field : view.fields)
+    field.make = [make = std::move(field.make), factor = scale_.factor(field.units)] {
+      std::vector<double> values = make();
+      for (double& value : values) value *= factor;
+      return values;
+    };
+  return view;
 }
 
-SavedState ScaledSimulation::save() const {
-  SavedState saved = inner_->save();
-  StateWriter{saved}(block, scale_);
-  return saved;
+void ScaledSimulation::save(const TakeBlock& take) const {
+  inner_->save(take);
+  StateWriter{take}(block, scale_);
 }
 
 void ScaledSimulation::restore(const SavedState& saved) {

@@ -20,10 +20,10 @@ class ScaledSimulation final : public Simulation {
   Totals totals() const override;
   Costs costs() const override { return inner_->costs(); }
   StepReport last_step() const override { return outer(inner_->last_step()); }
-  Snapshot snapshot() const override;
+  Snapshot view() const override;
   std::vector<Field> rates(bool split) override { return outer(inner_->rates(split)); }
   std::vector<Field> errors() const override { return outer(inner_->errors()); }
-  SavedState save() const override;
+  void save(const TakeBlock& take) const override;
   void restore(const SavedState& saved) override;
   Counts counts() const override { return inner_->counts(); }
 

@@ -38,7 +38,7 @@ class Clock : public Simulation {
   }
   Costs costs() const override { return {.updates = last_.step, .phases = {}}; }
   StepReport last_step() const override { return last_; }
-  Snapshot snapshot() const override {
+  Snapshot view() const override {
     Snapshot s;
     s.time = last_.time;
     s.step = last_.step;
@@ -51,7 +51,10 @@ class Clock : public Simulation {
   }
   std::vector<Field> rates(bool) override { return {}; }
   std::vector<Field> errors() const override { return {}; }
-  SavedState save() const override { return {{"clock", {static_cast<std::uint8_t>(last_.step)}}}; }
+  void save(const TakeBlock& take) const override {
+    const auto step = static_cast<std::uint8_t>(last_.step);
+    take("clock", {&step, 1});
+  }
   void restore(const SavedState&) override {}
   Counts counts() const override { return {}; }
 
