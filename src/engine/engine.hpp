@@ -127,8 +127,8 @@ class Engine final : public Simulation {
     exchange(*this, writer);
   }
 
-  void restore(const SavedState& saved) override {
-    StateReader reader(saved);
+  void restore(const GiveBlock& give) override {
+    StateReader reader(give);
     exchange(*this, reader);
   }
 

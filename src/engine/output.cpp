@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "src/engine/errors.hpp"
+
 namespace sphk {
 
 Counts counts_of(const StepCounts& steps) {
@@ -31,6 +33,14 @@ SavedState Simulation::save() const {
     saved[name].assign(bytes.begin(), bytes.end());
   });
   return saved;
+}
+
+void Simulation::restore(const SavedState& saved) {
+  restore([&](const std::string& name) {
+    const auto found = saved.find(name);
+    if (found == saved.end()) throw InputError(fmt::format("the saved state has no \"{}\"", name));
+    return found->second;
+  });
 }
 
 std::vector<std::string> Simulation::warnings() const {

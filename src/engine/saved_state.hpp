@@ -13,6 +13,8 @@ namespace sphk {
 /// particle number and build that it comes from.
 using SavedState = std::map<std::string, std::vector<std::uint8_t>>;
 
+/// Gives the block of a saved state that has this name; throws InputError where there is none.
+using GiveBlock = std::function<std::vector<std::uint8_t>(const std::string& name)>;
 /// Takes the blocks of a saved state, one after the other.
 using TakeBlock = std::function<void(const std::string& name, std::span<const std::uint8_t> bytes)>;
 

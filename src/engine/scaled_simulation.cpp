@@ -85,9 +85,9 @@ void ScaledSimulation::save(const TakeBlock& take) const {
   StateWriter{take}(block, scale_);
 }
 
-void ScaledSimulation::restore(const SavedState& saved) {
-  if (scale_of(saved) != scale_) throw InputError("the checkpoint is of a run that computes in other units");
-  inner_->restore(saved);
+void ScaledSimulation::restore(const GiveBlock& give) {
+  if (scale_of(give) != scale_) throw InputError("the checkpoint is of a run that computes in other units");
+  inner_->restore(give);
 }
 
 StepReport ScaledSimulation::outer(StepReport report) const {
@@ -117,9 +117,9 @@ SimulationSettings in_own_units(SimulationSettings settings, const Scale& scale,
   return settings;
 }
 
-Scale scale_of(const SavedState& saved) {
+Scale scale_of(const GiveBlock& give) {
   Scale scale;
-  StateReader{saved}(block, scale);
+  StateReader{give}(block, scale);
   return scale;
 }
 

@@ -116,7 +116,8 @@ class Simulation {
   SavedState save() const;
   /// The same block by block: one is in memory at a time.
   virtual void save(const TakeBlock& take) const = 0;
-  virtual void restore(const SavedState& state) = 0;
+  void restore(const SavedState& state);
+  virtual void restore(const GiveBlock& give) = 0;
   virtual Counts counts() const = 0;
   /// Sentences the user should read once: what counts() tells.
   std::vector<std::string> warnings() const;

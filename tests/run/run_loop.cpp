@@ -55,7 +55,7 @@ class Clock : public Simulation {
     const auto step = static_cast<std::uint8_t>(last_.step);
     take("clock", {&step, 1});
   }
-  void restore(const SavedState&) override {}
+  void restore(const GiveBlock&) override {}
   Counts counts() const override { return {}; }
 
   std::vector<double> ends, heat_times;  ///< the t_end of every step, the times of heatings
@@ -198,7 +198,7 @@ TEST_F(RunLoopTest, AFileNamedStopEndsItWithACheckpoint) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "stop")) << "else it would end the next run too";
   const SavedRun saved = newest_checkpoint(folder.path(), scene, settings);
   EXPECT_EQ(saved.loop.steps, 1);
-  EXPECT_EQ(saved.simulation.at("clock"), std::vector<std::uint8_t>{1});
+  EXPECT_EQ(saved.simulation("clock"), std::vector<std::uint8_t>{1});
   EXPECT_EQ(saved.output.snapshot_times, std::vector<double>{0});
 }
 
