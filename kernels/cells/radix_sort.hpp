@@ -13,13 +13,15 @@ class RadixSort {
  public:
   using Keys = Kokkos::View<std::uint64_t*, MemorySpace>;
   using Indices = Kokkos::View<int*, MemorySpace>;
+  static constexpr int rows = 3;  ///< of memory that a sort works in, 8 bytes a key each
 
   RadixSort() = default;
-  explicit RadixSort(int n)
-      : keys("sort keys", n),
-        indices("sort indices", n),
-        other_keys_("sort keys, other", n),
-        other_indices_("sort indices, other", n),
+  /// For n keys, in memory that must outlive this: `rows` rows, each `stride` >= n numbers long.
+  RadixSort(int n, double* memory, std::size_t stride)
+      : keys(reinterpret_cast<std::uint64_t*>(memory), n),
+        indices(reinterpret_cast<int*>(memory + 2 * stride), n),
+        other_keys_(reinterpret_cast<std::uint64_t*>(memory + stride), n),
+        other_indices_(indices.data() + stride, n),
         blocks_((n + block_size - 1) / block_size),
         counts_("sort counts", digits * (n == 0 ? 1 : blocks_)) {}
 

@@ -91,24 +91,19 @@ struct OrderBlock {
   }
 };
 
-struct PermuteRows {
-  ColumnNumbers from, to;
-  int rows, stride;
+template <class T>
+struct GatherRow {
+  const T* from;
+  T* to;
   RadixSort::Indices indices;
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
-    const int source = indices(i);
-    for (int row = 0; row < rows; ++row) {
-      const std::size_t start = static_cast<std::size_t>(row) * stride;
-      to(start + i) = from(start + source);
-    }
-  }
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const { to[i] = from[indices(i)]; }
 };
 
-template <class V>
-struct PermuteVector {
-  V from, to;
-  RadixSort::Indices indices;
-  KOKKOS_INLINE_FUNCTION void operator()(int i) const { to(i) = from(indices(i)); }
+template <class T>
+struct CopyRow {
+  const T* from;
+  T* to;
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const { to[i] = from[i]; }
 };
 
 }  // namespace detail
@@ -116,55 +111,66 @@ struct PermuteVector {
 using Ids = Kokkos::View<std::uint64_t*, MemorySpace>;
 
 /// Sorts particles in space so that aligned runs of 8, 64, 512, ... of them are compact: along the Hilbert curve, then
-/// as a kd tree inside blocks. Wraps positions into the periodic box. Holds the second buffers, so nothing is allocated
-/// later.
+/// as a kd tree inside blocks. Wraps positions into the periodic box. Columns are permuted row by row, by way of the
+/// memory in which the keys were sorted: there is no second copy of them, and nothing is allocated later.
 template <int D>
 class Sorter {
  public:
+  static constexpr int rows = RadixSort::rows;  ///< of the memory that it works in
+
   Sorter() = default;
-  /// For n particles in columns whose first field is the position.
-  template <class FieldList>
-  Sorter(int n, const Columns<D, FieldList>& columns)
-      : sort_(n), other_("columns, other", columns.data.extent(0)), other_ids_("ids, other", n) {
-    static_assert(component_offset<D, Position, FieldList> == 0);
+  /// For n particles. `memory`: `rows` rows of numbers, each `stride` long. They may be rows of the columns, those that
+  /// nobody reads before they are computed anew; a sort leaves them without meaning.
+  Sorter(int n, const ColumnNumbers& memory, int stride)
+      : memory_(memory), sort_(n, memory.data(), static_cast<std::size_t>(stride)) {}
+
+  /// The rows that it works in. Between two sorts they may serve others.
+  const ColumnNumbers& memory() const { return memory_; }
+
+  /// Puts a row, a value a particle of no more than 8 bytes, in the order of the last sort.
+  template <class T>
+  void permute(T* row) const {
+    static_assert(sizeof(T) <= sizeof(double));
+    const Kokkos::RangePolicy<ExecutionSpace> particles(0, sort_.indices.extent(0));
+    T* spare = reinterpret_cast<T*>(memory_.data());  // where keys were
+    Kokkos::parallel_for("sort: gather", particles, detail::GatherRow<T>{row, spare, sort_.indices});
+    Kokkos::parallel_for("sort: put back", particles, detail::CopyRow<T>{spare, row});
   }
 
-  /// Puts `from` in the order of the last sort, by way of `other`.
-  template <class V>
-  void permute(V& from, V& other) const {
-    Kokkos::parallel_for("sort: permute", Kokkos::RangePolicy<ExecutionSpace>(0, from.extent(0)),
-                         detail::PermuteVector<V>{from, other, sort_.indices});
-    std::swap(from, other);
-  }
-
-  /// `rows`: the numbers of the columns, each row `stride` long.
-  void operator()(ColumnNumbers& rows, int stride, Ids& ids, const Domain<D>& domain, const Bounds<D>& all) {
+  /// `columns`: the numbers of the columns, whose first D rows are positions, each row `stride` long.
+  void operator()(const ColumnNumbers& columns, int stride, const Ids& ids, const Domain<D>& domain,
+                  const Bounds<D>& all) {
     const int n = static_cast<int>(ids.extent(0));
     if (n == 0) return;
-    const Kokkos::RangePolicy<ExecutionSpace> particles(0, n);
-    const detail::PositionRows positions{rows.data(), static_cast<std::size_t>(stride)};
+    const detail::PositionRows positions{columns.data(), static_cast<std::size_t>(stride)};
+    find_order(n, positions, domain, all);
+    for (std::size_t start = 0; start < columns.extent(0); start += positions.stride) {
+      double* row = columns.data() + start;
+      if (!works_in(row)) permute(row);
+    }
+    permute(ids.data());
+  }
+
+ private:
+  /// Leaves in `sort_.indices` where each particle of the new order is now.
+  void find_order(int n, const detail::PositionRows& positions, const Domain<D>& domain, const Bounds<D>& all) {
     detail::CurveKeys<D> curve{positions, domain, {}, {}, sort_.keys};
     for (int d = 0; d < D; ++d) {
       curve.lo[d] = domain.period[d] > 0 ? domain.lower[d] : all.lo[d];
       const double size = domain.period[d] > 0 ? domain.period[d] : all.hi[d] - all.lo[d];
       curve.scale[d] = size > 0 ? 1 / size : 0;
     }
-    Kokkos::parallel_for("sort: curve keys", particles, curve);
+    Kokkos::parallel_for("sort: curve keys", Kokkos::RangePolicy<ExecutionSpace>(0, n), curve);
     sort_.sort();
     Kokkos::parallel_for("sort: kd order",
                          Kokkos::RangePolicy<ExecutionSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
                              0, (n + block_size - 1) / block_size, Kokkos::ChunkSize(1)),
                          detail::OrderBlock<D>{positions, sort_.indices, n});
-    const int count = static_cast<int>(rows.extent(0) / static_cast<std::size_t>(stride));
-    Kokkos::parallel_for("sort: permute", particles, detail::PermuteRows{rows, other_, count, stride, sort_.indices});
-    std::swap(rows, other_);
-    permute(ids, other_ids_);
   }
+  bool works_in(const double* row) const { return row >= memory_.data() && row < memory_.data() + memory_.extent(0); }
 
- private:
+  ColumnNumbers memory_;
   RadixSort sort_;
-  ColumnNumbers other_;
-  Ids other_ids_;
 };
 
 }  // namespace sphk

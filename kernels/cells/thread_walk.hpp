@@ -9,8 +9,8 @@ namespace sphk {
 /// independent check of the tiles on a host.
 template <class T, int D, class FieldList, Reach mode, class C>
 struct ThreadWalk {
-  const CellTree<D>& tree;
-  const C& columns;
+  const C& columns;  ///< of targets
+  Sources<C> sources;
 
   using Target = Values<T, D, Union<List<Position, InverseSupport>, FieldList>>;
   using Neighbour = Values<T, D, NeighbourFields<FieldList>>;
@@ -27,9 +27,9 @@ struct ThreadWalk {
       using P = std::remove_cvref_t<decltype(h)>;
       return mode == Reach::symmetric ? sphk::max(P(reach), h) : P(reach);
     };
-    walk(tree, root(tree), here, reach_with, [&](int sub_cell, const double* shift) {
+    walk(sources.tree, root(sources.tree), here, reach_with, [&](int sub_cell, const double* shift) {
       const Frame<D> image = frame.shifted(shift);
-      const int j0 = sub_cell * sub_cell_size, end = min(j0 + sub_cell_size, tree.n);
+      const int j0 = sub_cell * sub_cell_size, end = min(j0 + sub_cell_size, sources.tree.n);
       for (int j = j0; j < end; ++j) visit(neighbour(image, j));
     });
   }
@@ -39,7 +39,8 @@ struct ThreadWalk {
   KOKKOS_INLINE_FUNCTION Neighbour neighbour(const Frame<D>& frame, int j) const {
     Neighbour values;
     load_fields(values, frame, j, typename Neighbour::Fields{});
-    for (int d = 0; d < D; ++d) values.r_ij[d] = static_cast<T>(frame.x[d] - columns.template at<Position>(j, d));
+    for (int d = 0; d < D; ++d)
+      values.r_ij[d] = static_cast<T>(frame.x[d] - sources.columns.template at<Position>(j, d));
     values.r2 = dot(values.r_ij, values.r_ij);
     return values;
   }
@@ -52,7 +53,7 @@ struct ThreadWalk {
     if constexpr (!is_separation<F>) {
       T* c = component_array<F>(values);
       for (int k = 0; k < components<F, D>; ++k)
-        c[k] = static_cast<T>(columns.template at<F>(j, k) - frame.template reference<F>(k));
+        c[k] = static_cast<T>(sources.columns.template at<F>(j, k) - frame.template reference<F>(k));
     }
   }
 };

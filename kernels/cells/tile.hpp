@@ -57,6 +57,13 @@ KOKKOS_INLINE_FUNCTION TargetMask all_targets(const CellTree<D>& tree, int cell)
   return n == cell_size ? ~TargetMask(0) : (TargetMask(1) << n) - 1;
 }
 
+/// Where neighbours are looked for: among particles of which the targets may be a part.
+template <class C>
+struct Sources {
+  const CellTree<C::dimension>& tree;
+  const C& columns;
+};
+
 /// The box of one particle.
 template <class C, int D = C::dimension>
 KOKKOS_INLINE_FUNCTION Bounds<D> point(const C& columns, int i) {

@@ -25,8 +25,9 @@ class TiledCell {
   static constexpr std::size_t scratch_bytes() { return 3 * CellTile::entries * sizeof(T) + 3 * page; }
 
   /// `targets`: a bit for each particle of the cell, the first the lowest.
-  TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell, TargetMask targets)
-      : tree_(tree), columns_(columns), cell_(cell), targets_(targets) {
+  TiledCell(void* scratch, const CellTree<D>& tree, const C& columns, int cell, TargetMask targets,
+            const Sources<C>& sources)
+      : tree_(tree), columns_(columns), sources_(sources), cell_(cell), targets_(targets) {
     const auto from = reinterpret_cast<std::uintptr_t>(scratch);
     near_.data = reinterpret_cast<T*>((from + 63) / 64 * 64);
     sub_.data = after(near_.data, page / 2);
@@ -55,12 +56,12 @@ class TiledCell {
   /// Collects what comes within `reach` of the targets and calls flush(whole) each time the tile is full and at the
   /// end; `whole` says that the tile holds all there is.
   template <class Flush>
-  void collect(const Bounds<D>& all, double reach, Flush&& flush) {
+  void collect(double reach, Flush&& flush) {
     near_.count = 0;
     reach_ = reach;
     bool whole = true;
     walk(
-        tree_, all, bounds(), [&](const auto& h) { return reach_with(h); },
+        sources_.tree, root(sources_.tree), bounds(), [&](const auto& h) { return reach_with(h); },
         [&](int sub_cell, const double* shift) {
           if (near_.count + sub_cell_size > CellTile::capacity - width) {
             whole = false;
@@ -78,8 +79,8 @@ class TiledCell {
   /// its own where `listed`, else, block by block, its sub-cell's candidates, in and out of reach. Then, once a
   /// sub-cell is through, done(i); several times where the tile does not hold all there is.
   template <class Visit, class Done>
-  void for_each_target(const Bounds<D>& all, bool listed, Visit&& visit, Done&& done) {
-    collect(all, bounds_.h_max, [&](bool) {
+  void for_each_target(bool listed, Visit&& visit, Done&& done) {
+    collect(bounds_.h_max, [&](bool) {
       for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
         const int first = s * sub_cell_size;
         const TargetMask targets = targets_of(first, sub_cell_size);
@@ -238,7 +239,7 @@ class TiledCell {
     const Frame<D> image = frame_.shifted(shift);
     T half[D];
     for (int d = 0; d < D; ++d) half[d] = static_cast<T>(0.5 * (bounds_.hi[d] - bounds_.lo[d]));
-    const int j0 = sub_cell * sub_cell_size, n = sphk::min(sub_cell_size, tree_.n - j0);
+    const int j0 = sub_cell * sub_cell_size, n = sphk::min(sub_cell_size, sources_.tree.n - j0);
     T* to = near_.data + near_.count;
     for (int k = 0; k < n; k += narrow) {
       NarrowPack x[D];
@@ -262,7 +263,7 @@ class TiledCell {
   /// A component of field F of the particles from j on, in T and relative to the frame.
   template <class F>
   NarrowPack load_relative_pack(int component, const Frame<D>& frame, int j) const {
-    const double* from = columns_.template row<F>(component) + j;
+    const double* from = sources_.columns.template row<F>(component) + j;
     const double reference = frame.template reference<F>(component);
     alignas(64) T relative[narrow];
     for (int lane = 0; lane < narrow; ++lane) relative[lane] = static_cast<T>(from[lane] - reference);
@@ -271,6 +272,7 @@ class TiledCell {
 
   const CellTree<D>& tree_;
   const C& columns_;
+  Sources<C> sources_;
   int cell_;
   TargetMask targets_;
   Frame<D> frame_;

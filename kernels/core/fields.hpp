@@ -92,15 +92,6 @@ struct HalfStepThermal {
   };
 };
 
-/// d(thermal variable)/dt.
-struct ThermalRate {
-  static constexpr FieldFacts facts{.name = "ThermalRate", .description = "d/dt of A or u"};
-  template <class T, int D>
-  struct Value {
-    T ds;
-  };
-};
-
 /// Support radius: the kernel is zero for r >= h.
 struct Support {
   static constexpr FieldFacts facts{.name = "SmoothingLength",
@@ -355,7 +346,8 @@ struct Acceleration {
   };
 };
 
-/// du/dt by dissipation and, where the scheme integrates u, by compression.
+/// du/dt by dissipation and, where the scheme integrates u, by compression. The closing kick leaves d/dt of the thermal
+/// variable in its place.
 struct Heating {
   static constexpr FieldFacts facts{
       .name = "Heating", .description = "du/dt of all terms", .unit = {.length = 2, .time = -3}};

@@ -38,7 +38,7 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     for (int first = begin; first < cell.end(); first += batch)
       if (cell.has_targets(first, batch)) std::fill_n(&sums[(first - begin) / batch][0][0], sums_size * batch, 0.0);
     cell.for_each_target(
-        root(state.tree), true,
+        true,
         [&](int i, const auto& tile, int, int) {
           add_sums(cell, i, tile, &sums[(i - begin) / batch][0][(i - begin) % batch]);
         },
@@ -185,7 +185,7 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
 
   /// dv_c/dx_d = -(1/rho_i) sum_j m_j (v_i - v_j)_c dWbar/dx_d.
   KOKKOS_INLINE_FUNCTION void sph_estimate(int i, Vec<double, D>* gradient) const {
-    const typename Base::Walk walk{state.tree, state.columns};
+    const typename Base::Walk walk = Base::walk();
     const auto target = walk.target(i);
     const double rho_inv = 1 / state.template at<Density>(i);
     for (int c = 0; c < D; ++c)

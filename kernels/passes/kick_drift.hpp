@@ -44,7 +44,7 @@ struct KickAndDrift {
     }
     double& s = state.template at<Thermal>(i);
     const double s_before = s;
-    s = positive_sum(s, dt * state.template at<ThermalRate>(i), predicted.heat);
+    s = positive_sum(s, dt * state.template at<Heating>(i), predicted.heat);
     if constexpr (contains<MassRate, Fields>) {
       double& m = state.template at<Mass>(i);
       m = positive_sum(m, dt * state.template at<MassRate>(i), predicted.mass);
@@ -67,7 +67,7 @@ struct KickAndDrift {
       state.template at<HalfStepVelocity>(i, d) =
           state.template at<Velocity>(i, d) + kick * state.template at<Acceleration>(i, d);
     state.template at<HalfStepThermal>(i) =
-        positive_sum(state.template at<Thermal>(i), half * state.template at<ThermalRate>(i), losses.heat);
+        positive_sum(state.template at<Thermal>(i), half * state.template at<Heating>(i), losses.heat);
     if constexpr (contains<MassRate, Fields>)
       state.template at<HalfStepMass>(i) =
           positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i), losses.mass);
@@ -106,12 +106,9 @@ struct ClosingKick {
       v = state.template at<HalfStepVelocity>(i, d) + kick * state.template at<Acceleration>(i, d);
       sum += v;
     }
-    if constexpr (contains<Heating, Fields>) {
-      const double ds =
-          L::ThermalForm::rate(state.template at<Heating>(i), state.state_density(i), state.parameters.gamma);
-      state.template at<ThermalRate>(i) = ds;
-      state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * ds, losses.heat);
-    }
+    double& rate = state.template at<Heating>(i);
+    rate = L::ThermalForm::rate(rate, state.state_density(i), state.parameters.gamma);
+    state.template at<Thermal>(i) = positive_sum(state.template at<HalfStepThermal>(i), half * rate, losses.heat);
     if constexpr (contains<MassRate, Fields>)
       state.template at<Mass>(i) =
           positive_sum(state.template at<HalfStepMass>(i), half * state.template at<MassRate>(i), losses.mass);
@@ -129,7 +126,7 @@ struct KickDrift {
   static constexpr const char* name = "kick and drift";
   static constexpr bool essential = true;
   using Reads = List<>;
-  using Remembers = List<Acceleration, ThermalRate, NumberDensity, NumberDensitySlope>;
+  using Remembers = List<Acceleration, Heating, NumberDensity, NumberDensitySlope>;
   using MayRemember = List<VelocityDivergence, MassRate>;
   using Writes = List<Position, Velocity, HalfStepVelocity, Thermal, HalfStepThermal, Support>;
   using Numbers = sphk::Numbers<motion>;
@@ -161,7 +158,7 @@ struct KickTimeStep {
   static constexpr const char* name = "kick and time-step";
   static constexpr bool essential = true;
   using Reads = List<HalfStepVelocity, HalfStepThermal, Support, Acceleration, MaxSignalVelocity>;
-  using Writes = List<Velocity, Thermal, ThermalRate>;
+  using Writes = List<Velocity, Thermal, Heating>;
   using Numbers = sphk::Numbers<courant_number>;
   template <class L>
   static void run(RunOf<L>& run) {

@@ -31,6 +31,8 @@ struct PairLoop {
 
   State<S> state;
 
+  KOKKOS_INLINE_FUNCTION Sources<Columns> sources() const { return {state.tree, state.columns}; }
+  KOKKOS_INLINE_FUNCTION Walk walk() const { return {state.columns, sources()}; }
   /// Whether lists of neighbours pay, or a sub-cell's candidates serve each of its particles, in and out of reach: a
   /// third of few are neighbours, and half of many.
   bool lists_pay() const {
@@ -45,7 +47,7 @@ struct PairLoop {
     const TargetMask targets = state.active.targets(state.tree, number);
     const bool wide = is_wide(number) || is_torn(number);
     for (TargetMask left = targets; left != 0; left = wide ? left & (left - 1) : 0) {
-      Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left);
+      Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left, sources());
       f(cell);
     }
   }
@@ -118,8 +120,7 @@ struct ByParticles {
   Loop loop;
   template <class... Sum>
   KOKKOS_INLINE_FUNCTION void operator()(int i, Sum&... sum) const {
-    const auto& state = loop.state;
-    if (state.active.contains(i)) loop.serve(typename Loop::Walk{state.tree, state.columns}, i, sum...);
+    if (loop.state.active.contains(i)) loop.serve(loop.walk(), i, sum...);
   }
 };
 

@@ -59,7 +59,7 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
     const int begin = cell.begin(), n = cell.end() - begin;
     for (int k = 0; k < n; ++k) set_zero(sums[k]);
     cell.for_each_target(
-        root(state.tree), Base::lists_pay(),
+        Base::lists_pay(),
         [&](int i, const auto& tile, int from, int to) { add(cell, i, tile, from, to, packs[i % sub_cell_size]); },
         [&](int i) { accumulate(sums[i - begin], packs[i % sub_cell_size]); });
     for (int k = 0; k < n; ++k)

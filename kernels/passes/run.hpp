@@ -91,18 +91,34 @@ struct Schedule {
   bool limiter = true;     ///< neighbours stay within a factor 4
   bool starting = false;   ///< the run's first block: neighbours begin with one step, and none is longer than the run
   double updates_since_sort = 1e300;
-  Kokkos::View<int*, MemorySpace> caps;                  ///< powers that neighbours allow
-  ParticleSubset capped[2];                              ///< whose caps are below their steps; by turns
-  Kokkos::View<StepRange*, MemorySpace> ranges;          ///< of every node of the tree
-  Kokkos::View<Ticks*, MemorySpace> other;               ///< where the sort puts begins and ends
-  Kokkos::View<std::uint8_t*, MemorySpace> other_power;  ///< and powers
+  Kokkos::View<int*, MemorySpace> caps;          ///< powers that neighbours allow; in the memory of the sort
+  ParticleSubset capped[2];                      ///< whose caps are below their steps; by turns
+  Kokkos::View<StepRange*, MemorySpace> ranges;  ///< of every node of the tree
 };
+
+/// Rows `first`, ..., `first + count - 1` of the columns.
+template <class L>
+ColumnNumbers rows_of(const Particles<L>& state, int first, int count) {
+  const auto stride = static_cast<std::size_t>(state.columns.stride), begin = static_cast<std::size_t>(first) * stride;
+  return Kokkos::subview(state.columns.data, std::pair(begin, begin + static_cast<std::size_t>(count) * stride));
+}
+
+/// The rows that sorts work in where one step serves all particles: the search for support radii, which follows the
+/// sort, computes them anew.
+template <class L>
+ColumnNumbers rows_for_sorts(const Particles<L>& state) {
+  constexpr int D = L::dimension, first = component_offset<D, InverseSupport, BaseFields>;
+  static_assert(component_offset<D, NumberDensity, BaseFields> == first + 1 &&
+                component_offset<D, NumberDensitySlope, BaseFields> == first + 2 && Sorter<D>::rows == 3);
+  return rows_of(state, first, Sorter<D>::rows);
+}
 
 /// A run between two passes. L is a BaseLayout: passes that know more see the same particles by state.as<>().
 template <class L>
 struct Run {
   static_assert(is_base<L>);
-  explicit Run(Particles<L> loaded) : state(std::move(loaded)), sorter(state.n, state.columns) {}
+  explicit Run(Particles<L> loaded)
+      : state(std::move(loaded)), sorter(state.n, rows_for_sorts(state), state.columns.stride) {}
   Particles<L> state;
   Sorter<L::dimension> sorter;
   double time = 0;
@@ -114,6 +130,14 @@ struct Run {
   StepCounts counts;  ///< of the last step
   StepLimit limit;    ///< of the next step
 };
+
+/// A row that nobody needs until the next step begins: of the sort's memory, or the half-step values of one step for
+/// all, which the opening kick takes anew.
+template <class L>
+ColumnNumbers idle_row(const Run<L>& run) {
+  if (run.state.clock.individual) return Kokkos::subview(run.sorter.memory(), std::pair(0, run.state.columns.stride));
+  return rows_of(run.state, component_offset<L::dimension, HalfStepThermal, BaseFields>, 1);
+}
 
 template <class L>
 using RunOf = Run<BaseLayout<L>>;

@@ -119,7 +119,6 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   }
 
   void serve(Cell& cell, SupportCounts& counts) const {
-    const Bounds<D> all = root(state.tree);
     Task tasks[cell_size];
     const int begin = cell.begin(), n = cell.end() - begin;
     for (int k = 0; k < n; ++k) {
@@ -136,7 +135,7 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
     for (double h = largest(); h > 0; h = largest(), margin = 1.3) {
       bool in_one_tile = false;
       for (int k = 0; k < n; ++k) clear(tasks[k]);
-      cell.collect(all, margin * h, [&](bool whole) {
+      cell.collect(margin * h, [&](bool whole) {
         in_one_tile = whole;
         for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s)
           sweep(cell, s, tasks, whole ? margin * h : 0, counts);

@@ -60,9 +60,10 @@ void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& sch
   if (!due && !detail::strayed(state.tree.domain, all)) return;
   sorter(state.columns.data, state.columns.stride, state.ids, state.tree.domain, all);
   if (clock.individual) {
-    sorter.permute(clock.begin, schedule.other);
-    sorter.permute(clock.end, schedule.other);
-    sorter.permute(clock.power, schedule.other_power);
+    sorter.permute(clock.begin.data());
+    sorter.permute(clock.end.data());
+    sorter.permute(clock.power.data());
+    Kokkos::deep_copy(ExecutionSpace(), schedule.caps, StepClock::block_bits);  // they are in the sort's memory
     schedule.updates_since_sort = 0;
     fit_ranges(state, schedule);
   }

@@ -21,7 +21,7 @@ struct Layout {
 
 /// What every scheme has, first in its columns and in this order. Code that needs no more is compiled once, for all
 /// schemes.
-using BaseFields = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, ThermalRate, Support,
+using BaseFields = List<Position, Velocity, HalfStepVelocity, Mass, Thermal, HalfStepThermal, Heating, Support,
                         InverseSupport, NumberDensity, NumberDensitySlope, Density, Acceleration, MaxSignalVelocity>;
 template <class L>
 using BaseLayout = Layout<L::dimension, BaseFields, typename L::ThermalForm>;

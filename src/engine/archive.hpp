@@ -11,10 +11,10 @@
 
 namespace sphk {
 
-/// Puts numbers, vectors of numbers and views into a SavedState.
+/// Hands numbers, vectors of numbers and views over as blocks of bytes.
 class StateWriter {
  public:
-  explicit StateWriter(SavedState& state) : state_(state) {}
+  explicit StateWriter(const TakeBlock& take) : take_(take) {}
 
   template <class T>
   void operator()(const std::string& name, const T& value) {
@@ -30,46 +30,41 @@ class StateWriter {
 
  private:
   void put(const std::string& name, const void* data, std::size_t bytes) {
-    const auto* begin = static_cast<const std::uint8_t*>(data);
-    state_[name].assign(begin, begin + bytes);
+    take_(name, {static_cast<const std::uint8_t*>(data), bytes});
   }
-  SavedState& state_;
+  const TakeBlock& take_;
 };
 
-/// Takes them out again. Throws InputError where a block is missing or has another size.
+/// Takes them in again. Throws InputError where a block is missing or has another size.
 class StateReader {
  public:
-  explicit StateReader(const SavedState& state) : state_(state) {}
+  explicit StateReader(const GiveBlock& give) : give_(give) {}
 
   template <class T>
   void operator()(const std::string& name, T& value) {
+    const std::vector<std::uint8_t> block = give_(name);
     if constexpr (Kokkos::is_view_v<T>) {
       const auto host = Kokkos::create_mirror_view(Kokkos::HostSpace{}, value);
-      get(name, host.data(), host.span() * sizeof(typename T::value_type));
+      get(name, block, host.data(), host.span() * sizeof(typename T::value_type));
       Kokkos::deep_copy(value, host);
     } else if constexpr (std::is_trivially_copyable_v<T>) {
-      get(name, &value, sizeof(T));
+      get(name, block, &value, sizeof(T));
     } else {
-      value.resize(block(name).size() / sizeof(typename T::value_type));
-      get(name, value.data(), value.size() * sizeof(typename T::value_type));
+      value.resize(block.size() / sizeof(typename T::value_type));
+      get(name, block, value.data(), value.size() * sizeof(typename T::value_type));
     }
   }
 
  private:
-  const std::vector<std::uint8_t>& block(const std::string& name) const {
-    const auto found = state_.find(name);
-    if (found == state_.end()) throw InputError(fmt::format("the saved state has no \"{}\"", name));
-    return found->second;
-  }
-  void get(const std::string& name, void* data, std::size_t bytes) const {
-    if (block(name).size() != bytes)
+  static void get(const std::string& name, const std::vector<std::uint8_t>& block, void* data, std::size_t bytes) {
+    if (block.size() != bytes)
       throw InputError(
           fmt::format("the saved state's \"{}\" has {} bytes, {} are wanted: it is of another scheme, "
                       "number of particles or build",
-                      name, block(name).size(), bytes));
-    if (bytes > 0) std::memcpy(data, block(name).data(), bytes);
+                      name, block.size(), bytes));
+    if (bytes > 0) std::memcpy(data, block.data(), bytes);
   }
-  const SavedState& state_;
+  const GiveBlock& give_;
 };
 
 }  // namespace sphk

@@ -67,7 +67,7 @@ void append_derived_rates(std::vector<Field>& fields, const Particles<L>& state,
         const double rho = host.HostRows::at(i, state.state_density_row), gamma = host.gamma;
         const double work =
             -Form::pressure(host.template at<Thermal>(i), rho, gamma) / rho * host.template at<VelocityDivergence>(i);
-        return Form::entropy_rate(host.template at<ThermalRate>(i), work, rho, gamma);
+        return Form::entropy_rate(host.template at<Heating>(i), work, rho, gamma);
       }));
   if constexpr (contains<GradVelocityDivergence, typename L::Fields>)
     fields.push_back(host.scalar("AlphaLoc", "alpha_loc of S12 eq 21", {}, [&](int i) {

@@ -27,22 +27,21 @@ class Engine final : public Simulation {
       : passes_(std::move(passes)),
         facts_(passes_->facts),
         run_(load_run<L>(particles, settings, facts_, [&](Run<L>& run) { passes_->run(facts_.support_pass, run); })),
-        counts_("neighbour counts", run_.state.n),
         origin_(particles.box),
-        tags_(phase_tags(particles)),
+        tags_(tags_by_id(particles)),
         steps_accept_(facts_.mixed ? 3e-3 : 3e-4),
         max_dt_(settings.max_dt),
         seconds_(facts_.passes.size()) {
     for (std::size_t k = 0; k < facts_.passes.size(); ++k)
       if (facts_.passes[k].wanted(run_.given)) wanted_.push_back(k);
     if (facts_.density_pass != facts_.support_pass)
-      settle_at(energies_at(run_.state, component_offset<D, Density, typename L::Fields>));
+      settle_at(energies_at(run_, component_offset<D, Density, typename L::Fields>));
     run_passes();
     require_finite();
     counted_ += run_.counts;
     seconds_.assign(seconds_.size(), 0.0);
     run_.accept = steps_accept_;
-    count_neighbours(run_.state, counts_, report_);
+    count_neighbours(run_, report_);
   }
 
   StepReport step(double t_end) override {
@@ -59,7 +58,7 @@ class Engine final : public Simulation {
     report_.updates = run_.active_count;
     updates_since_count_ += run_.active_count;
     if (updates_since_count_ >= count_interval * static_cast<long>(run_.state.n)) {
-      count_neighbours(run_.state, counts_, report_);
+      count_neighbours(run_, report_);
       updates_since_count_ = 0;
     }
     costs_.updates += run_.active_count;
@@ -79,7 +78,7 @@ class Engine final : public Simulation {
     }
     clock.dt = 0;
     run_.state.active.everyone = true;
-    const Energies u = energies_at(run_.state, run_.state.state_density_row);
+    const Energies u = energies_at(run_, run_.state.state_density_row);
     heat_nearest(run_.state, u, place, energy);
     settle_at(u);
     heated_ += energy;
@@ -105,10 +104,13 @@ class Engine final : public Simulation {
     return costs;
   }
 
-  Snapshot snapshot() const override {
-    Snapshot snapshot = take_snapshot(run_.state, facts_, origin_, run_.time, run_.step);
-    if (!tags_.values.empty()) snapshot.fields.push_back(tags_);
-    return snapshot;
+  Snapshot view() const override {
+    Snapshot view = view_of(run_.state, facts_, origin_, run_.time, run_.step);
+    if (!tags_.empty()) {
+      view.fields.push_back(phase_tags({}));
+      view.fields.back().make = [this] { return std::vector<double>(tags_.begin(), tags_.end()); };
+    }
+    return view;
   }
 
   std::vector<Field> rates(bool split) override {
@@ -121,15 +123,13 @@ class Engine final : public Simulation {
 
   std::vector<Field> errors() const override { return passes_->errors(run_.state); }
 
-  SavedState save() const override {
-    SavedState saved;
-    StateWriter writer(saved);
+  void save(const TakeBlock& take) const override {
+    StateWriter writer(take);
     exchange(*this, writer);
-    return saved;
   }
 
-  void restore(const SavedState& saved) override {
-    StateReader reader(saved);
+  void restore(const GiveBlock& give) override {
+    StateReader reader(give);
     exchange(*this, reader);
     if (run_.state.clock.individual) fit_ranges(run_.state, run_.schedule);
   }
@@ -148,7 +148,7 @@ class Engine final : public Simulation {
     }
     archive("ids", run.state.ids);
     archive("nodes", run.state.tree.nodes());
-    archive("tags", self.tags_.values);
+    archive("tags", self.tags_);
     archive("time", run.time);
     archive("step", run.step);
     archive("active_count", run.active_count);
@@ -257,9 +257,8 @@ class Engine final : public Simulation {
   std::unique_ptr<SchemePasses<L>> passes_;
   const CompiledFacts& facts_;
   Run<L> run_;
-  CountColumns<D> counts_;
   Box origin_;
-  Field tags_;  ///< they do not change, and snapshots are sorted by id too
+  std::vector<int> tags_;  ///< by id, as snapshots are sorted
   double steps_accept_, max_dt_;
   double heated_ = 0;
   double start_ = run_.time;  ///< when all particles last began with one step

@@ -50,7 +50,7 @@ struct FillErrorColumns {
   /// changes by more than 1e-5 of itself: an eta needs no more than its value.
   KOKKOS_INLINE_FUNCTION double eta_rate(int i, const GasValues& gas) const {
     const double s = state.template at<Thermal>(i);
-    const double thermal = s > 0 ? state.template at<ThermalRate>(i) / s : 0;
+    const double thermal = s > 0 ? state.template at<Heating>(i) / s : 0;
     double density = 0;  // (drho/dt)/rho
     if constexpr (contains<VelocityDivergence, typename L::Fields>) density = -state.template at<VelocityDivergence>(i);
     const double fastest = max(abs(thermal), abs(density));

@@ -68,10 +68,11 @@ Kokkos::RangePolicy<ExecutionSpace> all_of(const Particles<L>& state) {
 
 using Energies = Kokkos::View<double*, MemorySpace>;
 
-/// The specific energies that particles have at the density in a row of the columns.
+/// The specific energies that particles have at the density in a row of the columns. They hold until the next step.
 template <class L>
-Energies energies_at(const Particles<L>& state, int density_row) {
-  const Energies u("specific energies", state.n);
+Energies energies_at(const Run<L>& run, int density_row) {
+  const Particles<L>& state = run.state;
+  const Energies u = idle_row(run);
   Kokkos::parallel_for("energies", detail::all_of(state), detail::TakeEnergies<L>{state, density_row, u});
   return u;
 }

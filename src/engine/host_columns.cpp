@@ -43,6 +43,7 @@ HostRows::HostRows(const ColumnNumbers& numbers, int row_length, const Ids& of, 
   const auto host_ids = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, of);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return host_ids(a) < host_ids(b); });
+  ids.reserve(order.size());
   for (const int i : order) ids.push_back(host_ids(i));
 }
 
@@ -51,17 +52,31 @@ HostRows::HostRows(const HostRows& rows, const ColumnNumbers& numbers, int row_l
   stride = static_cast<std::size_t>(row_length);
 }
 
-Field HostRows::field(const FieldPlace& place, Written as) const {
+std::vector<double> HostRows::values(const FieldPlace& place) const {
   const FieldFacts& facts = *place.facts;
-  const int width = output_components(facts.rank);
-  Field out{std::move(as.name), std::move(as.description), exponents(facts.unit, dimension, gamma), width, {}};
-  out.values.assign(order.size() * static_cast<std::size_t>(width), 0.0);
+  const auto width = static_cast<std::size_t>(output_components(facts.rank));
+  std::vector<double> values(order.size() * width, 0.0);
   for (int k = 0; k < place.components; ++k) {
     const std::size_t to = output_component(facts.rank, dimension, k);
-    for (std::size_t i = 0; i < order.size(); ++i)
-      out.values[i * static_cast<std::size_t>(width) + to] = at(static_cast<int>(i), place.row + k);
+    for (std::size_t i = 0; i < order.size(); ++i) values[i * width + to] = at(static_cast<int>(i), place.row + k);
   }
-  return out;
+  return values;
+}
+
+Field HostRows::field(const FieldPlace& place, Written as) const {
+  const FieldFacts& facts = *place.facts;
+  return {std::move(as.name), std::move(as.description), exponents(facts.unit, dimension, gamma),
+          output_components(facts.rank), values(place)};
+}
+
+Field HostRows::field_of(const std::shared_ptr<const HostRows>& rows, const FieldPlace& place) {
+  const FieldFacts& facts = *place.facts;
+  return {facts.name,
+          facts.description,
+          exponents(facts.unit, rows->dimension, rows->gamma),
+          output_components(facts.rank),
+          {},
+          [rows, place] { return rows->values(place); }};
 }
 
 Field HostRows::field(const FieldPlace& place) const {

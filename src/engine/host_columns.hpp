@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
 #include "kernels/passes/state.hpp"
 #include "src/engine/field_places.hpp"
@@ -31,10 +32,13 @@ struct HostRows {
 
   /// Component `row` of the particle that is i-th by id.
   double at(int i, int row) const { return data(row * stride + order[i]); }
-  /// A field as output: vectors with three components in any dimension, a curl in 2D as the z of three, a symmetric
-  /// matrix as xx, yy, zz, xy, xz, yz; what there is not is zero.
+  /// The values of a field as output: vectors with three components in any dimension, a curl in 2D as the z of three, a
+  /// symmetric matrix as xx, yy, zz, xy, xz, yz; what there is not is zero.
+  std::vector<double> values(const FieldPlace& place) const;
+  /// A field as output, and the same without its values, which it makes when they are asked for: `rows` stay so long.
   Field field(const FieldPlace& place, Written as) const;
-  /// The same under its own name.
+  static Field field_of(const std::shared_ptr<const HostRows>& rows, const FieldPlace& place);
+  /// Under its own name.
   Field field(const FieldPlace& place) const;
   /// A field of one component, value(i) for the particle that is i-th by id.
   template <class Value>

@@ -65,13 +65,21 @@ void copy_to_columns(const Particles<L>& state, const ParticleSet& particles, co
   ExecutionSpace().fence("load particles");
 }
 
-/// Room for steps of the particles' own; all of them are at the start of a block.
+/// Room for steps of the particles' own; all of them are at the start of a block. Sorts then have memory of their own,
+/// since particles that are not computed keep what they have; the caps are in its second row.
 template <class L>
-void allow_individual_steps(Particles<L>& state, Schedule& schedule, const SimulationSettings& settings) {
-  const int n = state.n;
+void allow_individual_steps(Run<L>& run, const SimulationSettings& settings) {
+  Particles<L>& state = run.state;
+  Schedule& schedule = run.schedule;
+  const int n = state.n, stride = state.columns.stride;
+  using Sorter = sphk::Sorter<L::dimension>;
+  const ColumnNumbers memory("memory of sorts", static_cast<std::size_t>(Sorter::rows) * stride);
+  run.sorter = Sorter(n, memory, stride);
+  schedule.caps = Kokkos::View<int*, MemorySpace>(reinterpret_cast<int*>(memory.data() + stride), n);
   state.clock.individual = true;
   state.clock.begin = Kokkos::View<Ticks*, MemorySpace>("step begins", n);
   state.clock.end = Kokkos::View<Ticks*, MemorySpace>("step ends", n);
+  state.clock.power = Kokkos::View<std::uint8_t*, MemorySpace>("powers of steps", n);
   const auto subset = [&](const std::string& label) {
     return ParticleSubset{.everyone = false,
                           .cell_numbers = Kokkos::View<int*, MemorySpace>(label + ", cells", state.tree.cells()),
@@ -80,10 +88,6 @@ void allow_individual_steps(Particles<L>& state, Schedule& schedule, const Simul
   state.active = subset("active particles");
   state.active.everyone = true;
   for (ParticleSubset& capped : schedule.capped) capped = subset("capped particles");
-  state.clock.power = Kokkos::View<std::uint8_t*, MemorySpace>("powers of steps", n);
-  schedule.caps = Kokkos::View<int*, MemorySpace>("caps of steps", n);
-  schedule.other = Kokkos::View<Ticks*, MemorySpace>("step times, other", n);
-  schedule.other_power = Kokkos::View<std::uint8_t*, MemorySpace>("powers of steps, other", n);
   schedule.ranges = Kokkos::View<StepRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
   schedule.limiter = settings.step_limiter;
   if (settings.max_dt > 0) schedule.longest = settings.max_dt;
@@ -117,7 +121,7 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   run.state.parameters.courant /= facts.stiffness(run.given);
   run.state.central = CentralMass(run.given);
   run.state.clock.mobility = run.given[motion];
-  if (has_own_steps(settings)) detail::allow_individual_steps(run.state, run.schedule, settings);
+  if (has_own_steps(settings)) detail::allow_individual_steps(run, settings);
   sort_cells(run.state, run.sorter, run.schedule, run.step);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
   Kokkos::parallel_for("guess support", all,

@@ -46,9 +46,11 @@ namespace sphk {
 template <int D>
 using CountColumns = Columns<D, List<NeighbourCount>>;
 
-/// True neighbours, r < h_i, self included: into `counts`, and their minimum, mean and maximum into the report.
+/// Minimum, mean and maximum of the true neighbours, r < h_i, self included, into the report; between two steps.
 template <class L>
-void count_neighbours(const Particles<L>& particles, const CountColumns<L::dimension>& counts, StepReport& report) {
+void count_neighbours(const Run<L>& run, StepReport& report) {
+  const Particles<L>& particles = run.state;
+  const CountColumns<L::dimension> counts(idle_row(run), particles.columns.stride);
   const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
   add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(Given{}), counts);
   detail::CountRange range;

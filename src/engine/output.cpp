@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "src/engine/errors.hpp"
+
 namespace sphk {
 
 Counts counts_of(const StepCounts& steps) {
@@ -14,6 +16,31 @@ Counts counts_of(const StepCounts& steps) {
           .sph_estimates = fits.sph,
           .softened_heat = losses.heat,
           .softened_mass = losses.mass};
+}
+
+Snapshot Simulation::snapshot() const {
+  Snapshot snapshot = view();
+  for (Field& field : snapshot.fields) {
+    field.fill();
+    field.make = {};
+  }
+  return snapshot;
+}
+
+SavedState Simulation::save() const {
+  SavedState saved;
+  save([&](const std::string& name, std::span<const std::uint8_t> bytes) {
+    saved[name].assign(bytes.begin(), bytes.end());
+  });
+  return saved;
+}
+
+void Simulation::restore(const SavedState& saved) {
+  restore([&](const std::string& name) {
+    const auto found = saved.find(name);
+    if (found == saved.end()) throw InputError(fmt::format("the saved state has no \"{}\"", name));
+    return found->second;
+  });
 }
 
 std::vector<std::string> Simulation::warnings() const {

@@ -7,16 +7,15 @@
 
 namespace sphk {
 
-/// Bytes of device memory per particle: the columns twice (the sort needs a second copy), neighbour counts, ids, sort
-/// keys, cells.
+/// Bytes of device memory per particle: the columns, ids, cells.
 template <class L>
-inline constexpr double bytes_per_particle = 2.0 * sizeof(double) * Particles<L>::Columns::size + 8 + 2 * 8 + 2 * 12 +
+inline constexpr double bytes_per_particle = sizeof(double) * Particles<L>::Columns::size + sizeof(std::uint64_t) +
                                              sizeof(Bounds<L::dimension>) * (1.0 / 7);
 
-/// The same for steps of the particles' own: begins, ends, powers, a second copy of them and caps; ranges of the nodes,
+/// What steps of the particles' own take beside it: begins, ends, powers and the memory of sorts; ranges of the nodes,
 /// three subsets.
 inline constexpr double bytes_of_own_steps =
-    3 * sizeof(Ticks) + 2 + sizeof(int) + sizeof(StepRange) * (1.0 / 7) + 3 * 12.0 / cell_size;
+    2 * sizeof(Ticks) + 1 + RadixSort::rows * sizeof(double) + sizeof(StepRange) * (1.0 / 7) + 3 * 12.0 / cell_size;
 
 /// Flops of one pair inside the support, loop by loop: distance, smoothing kernels, terms.
 inline constexpr int flops_of_distance(int dimension) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,21 @@ struct Field {
   UnitExponents units;
   int components = 1;
   std::vector<double> values;
+  std::function<std::vector<double>()> make = {};  ///< of a field that makes its values when they are asked for
+
+  /// Makes the values of such a field, where they are not there.
+  void fill() {
+    if (make && values.empty()) values = make();
+  }
+  /// Lets go of what it can make again.
+  void let_go() {
+    if (make) values = std::vector<double>();
+  }
 };
 
-/// The tags of an initial condition as the output field "PhaseTags", sorted by id; without values where it has none.
+/// The tags of an initial condition, sorted by id; empty where it has none.
+std::vector<int> tags_by_id(const ParticleSet& particles);
+/// The same as the output field "PhaseTags".
 Field phase_tags(const ParticleSet& particles);
 
 /// The state of a run at one time, on the host, sorted by particle id.
@@ -61,12 +74,14 @@ struct Snapshot {
   long step = 0;
   double gamma = 5.0 / 3;
   std::vector<std::uint64_t> id;
-  std::vector<Field> fields;
+  mutable std::vector<Field> fields;  ///< of a snapshot that is a view (Simulation::view), without values at first
 
   std::size_t size() const { return id.size(); }
-  /// The field of that name; throws std::out_of_range naming it when the scheme has none such.
+  /// The field of that name, with its values; throws std::out_of_range naming it when the scheme has none such.
   const Field& field(const std::string& name) const;
   bool has(const std::string& name) const;
+  /// Lets go of values that can be made again.
+  void let_go() const;
 };
 
 }  // namespace sphk

@@ -68,22 +68,26 @@ Totals ScaledSimulation::totals() const {
   return totals;
 }
 
-Snapshot ScaledSimulation::snapshot() const {
-  Snapshot snapshot = inner_->snapshot();
-  snapshot.time *= scale_.factor(time_unit);
-  snapshot.fields = outer(std::move(snapshot.fields));
-  return snapshot;
+Snapshot ScaledSimulation::view() const {
+  Snapshot view = inner_->view();
+  view.time *= scale_.factor(time_unit);
+  for (Field& field : view.fields)
+    field.make = [make = std::move(field.make), factor = scale_.factor(field.units)] {
+      std::vector<double> values = make();
+      for (double& value : values) value *= factor;
+      return values;
+    };
+  return view;
 }
 
-SavedState ScaledSimulation::save() const {
-  SavedState saved = inner_->save();
-  StateWriter{saved}(block, scale_);
-  return saved;
+void ScaledSimulation::save(const TakeBlock& take) const {
+  inner_->save(take);
+  StateWriter{take}(block, scale_);
 }
 
-void ScaledSimulation::restore(const SavedState& saved) {
-  if (scale_of(saved) != scale_) throw InputError("the checkpoint is of a run that computes in other units");
-  inner_->restore(saved);
+void ScaledSimulation::restore(const GiveBlock& give) {
+  if (scale_of(give) != scale_) throw InputError("the checkpoint is of a run that computes in other units");
+  inner_->restore(give);
 }
 
 StepReport ScaledSimulation::outer(StepReport report) const {
@@ -113,9 +117,9 @@ SimulationSettings in_own_units(SimulationSettings settings, const Scale& scale,
   return settings;
 }
 
-Scale scale_of(const SavedState& saved) {
+Scale scale_of(const GiveBlock& give) {
   Scale scale;
-  StateReader{saved}(block, scale);
+  StateReader{give}(block, scale);
   return scale;
 }
 

@@ -20,11 +20,11 @@ class ScaledSimulation final : public Simulation {
   Totals totals() const override;
   Costs costs() const override { return inner_->costs(); }
   StepReport last_step() const override { return outer(inner_->last_step()); }
-  Snapshot snapshot() const override;
+  Snapshot view() const override;
   std::vector<Field> rates(bool split) override { return outer(inner_->rates(split)); }
   std::vector<Field> errors() const override { return outer(inner_->errors()); }
-  SavedState save() const override;
-  void restore(const SavedState& saved) override;
+  void save(const TakeBlock& take) const override;
+  void restore(const GiveBlock& give) override;
   Counts counts() const override { return inner_->counts(); }
 
  private:
@@ -42,6 +42,6 @@ SimulationSettings in_own_units(SimulationSettings settings, const Scale& scale,
                                 const std::vector<const Number*>& numbers, int dimension);
 
 /// The units of the run whose state this is. Throws InputError where there are none.
-Scale scale_of(const SavedState& saved);
+Scale scale_of(const GiveBlock& give);
 
 }  // namespace sphk

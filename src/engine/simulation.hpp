@@ -100,7 +100,10 @@ class Simulation {
   virtual Costs costs() const = 0;
   virtual StepReport last_step() const = 0;
   /// Everything to the host, sorted by id.
-  virtual Snapshot snapshot() const = 0;
+  Snapshot snapshot() const;
+  /// The same but for the values of the fields, which are made when they are asked for: they are those of now until the
+  /// next step, and must be asked for before that, while the simulation is there.
+  virtual Snapshot view() const = 0;
   /// One right-hand side at the current state, as `sphk rates` writes it: SmoothingLength, Density, VelocityDivergence,
   /// VelocityCurl, Acceleration, EntropyRate, NeighbourCount, the fields of errors(), ...; with `split` each term apart
   /// as well.
@@ -110,8 +113,11 @@ class Simulation {
   virtual std::vector<Field> errors() const = 0;
   /// All that the next steps depend on; a simulation made of the same scheme, settings, box and number of particles
   /// goes on from it bit by bit, on the same number of threads. restore() throws InputError where it does not fit.
-  virtual SavedState save() const = 0;
-  virtual void restore(const SavedState& state) = 0;
+  SavedState save() const;
+  /// The same block by block: one is in memory at a time.
+  virtual void save(const TakeBlock& take) const = 0;
+  void restore(const SavedState& state);
+  virtual void restore(const GiveBlock& give) = 0;
   virtual Counts counts() const = 0;
   /// Sentences the user should read once: what counts() tells.
   std::vector<std::string> warnings() const;

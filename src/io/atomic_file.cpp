@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,10 +39,14 @@ fs::path temporary_of(const fs::path& path) {
   return folder_of(path) / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
 }
 
+int open_new(const fs::path& temporary) {
+  unlink(temporary.c_str());  // of a killed process with our number, or a link that somebody put there
+  return open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
 /// Each of the steps; false with errno set at the first that fails.
 bool write_new(const fs::path& temporary, std::string_view bytes) {
-  unlink(temporary.c_str());  // of a killed process with our number, or a link that somebody put there
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  const int file = open_new(temporary);
   if (file < 0) return false;
   const bool written = write_all(file, bytes) && synced_to_disk(file);
   const int reason = errno;
@@ -90,7 +95,7 @@ bool make_exclusively(const fs::path& path, std::string_view bytes) {
   return made;
 }
 
-void write_atomically(const fs::path& path, std::string_view bytes) {
+NewFile::NewFile(const fs::path& path) : path_(path), temporary_(temporary_of(path)) {
   const fs::path folder = folder_of(path);
   if (std::error_code error; !fs::is_directory(folder, error))
     throw InputError(
@@ -98,17 +103,40 @@ void write_atomically(const fs::path& path, std::string_view bytes) {
   if (std::error_code error; fs::exists(path, error) && !fs::is_regular_file(path, error))
     throw InputError(
         fmt::format("{}: a directory or a device of this name is in the way; choose another name", path.string()));
-  const fs::path temporary = temporary_of(path);
-  if (!write_new(temporary, bytes) || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const std::string reason = std::strerror(errno);
-    unlink(temporary.c_str());
-    throw InputError(fmt::format("{}: {:.3g} MB cannot be written ({}); make room or choose another folder",
-                                 path.string(), static_cast<double>(bytes.size()) / 1e6, reason));
-  }
-  if (const int entries = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entries >= 0) {
+  file_ = open_new(temporary_);
+  if (file_ < 0)
+    throw InputError(
+        fmt::format("{}: it cannot be written ({}); choose another folder", path.string(), std::strerror(errno)));
+}
+
+NewFile::~NewFile() {
+  close(file_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void NewFile::complete() {
+  struct stat facts {};
+  fstat(file_, &facts);
+  // Network file systems report a full disk when a file is closed, of whichever of its descriptors.
+  const int copy = synced_to_disk(file_) ? dup(file_) : -1;
+  if (copy < 0 || close(copy) != 0 || std::rename(temporary_.c_str(), path_.c_str()) != 0)
+    fail(static_cast<double>(facts.st_size), errno);
+  temporary_.clear();
+  if (const int entries = open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entries >= 0) {
     synced_to_disk(entries);  // the new name itself; the data are safe already
     close(entries);
   }
+}
+
+void NewFile::fail(double bytes, int reason) const {
+  throw InputError(fmt::format("{}: {:.3g} MB cannot be written ({}); make room or choose another folder",
+                               path_.string(), bytes / 1e6, std::strerror(reason)));
+}
+
+void write_atomically(const fs::path& path, std::string_view bytes) {
+  NewFile file(path);
+  if (!write_all(file.descriptor(), bytes)) file.fail(static_cast<double>(bytes.size()), errno);
+  file.complete();
 }
 
 }  // namespace sphk

@@ -7,9 +7,30 @@
 
 namespace sphk {
 
-/// Makes or replaces the file `path` in one go: `bytes` go to a temporary file in the same folder, which is synced to
-/// the disk and renamed, so that a crash or a full disk leaves the old file or none, never half of one. Throws
-/// InputError when the folder is missing or cannot be written, or the disk is full.
+/// Makes or replaces the file `path` in one go: what is written goes to a temporary file in the same folder, which is
+/// synced to the disk and renamed, so that a crash or a full disk leaves the old file or none, never half of one.
+class NewFile {
+ public:
+  /// Throws InputError when the folder is missing or cannot be written.
+  explicit NewFile(const std::filesystem::path& path);
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  /// Removes a file that is not complete.
+  ~NewFile();
+
+  /// Of the temporary file, open for reading and writing.
+  int descriptor() const { return file_; }
+  /// The file is complete, and takes its name. Throws InputError.
+  void complete();
+  /// Throws InputError: the file, of so many bytes, could not be written, errno says why.
+  [[noreturn]] void fail(double bytes, int reason) const;
+
+ private:
+  std::filesystem::path path_, temporary_;
+  int file_;
+};
+
+/// The same in one call. Throws InputError when the folder is missing or cannot be written, or the disk is full.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// Makes the file `path` with these bytes, all at once; false with errno set where it is there already (EEXIST) or

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "src/engine/checksum.hpp"
 #include "src/engine/errors.hpp"
 #include "src/io/hdf5_file.hpp"
@@ -15,20 +17,19 @@ constexpr const char* group_name = "Checkpoint";
 constexpr const char* loop_name = "Loop";
 constexpr const char* history_name = "History";
 constexpr const char* layout_name = "Layout";
+constexpr const char* checksum_name = "Checksum";
+constexpr const char* scene_name = "Scene";
 
-std::uint64_t checksum_of(const Checkpoint& checkpoint) {
+/// The sum of a part; that of all parts, in whatever order, is the file's.
+std::uint64_t checksum_of(std::string_view name, std::span<const std::uint8_t> bytes) {
   Checksum sum;
-  for (const auto& [name, bytes] : checkpoint.state) {
-    sum.add(name.data(), name.size());
-    sum.add(bytes.data(), bytes.size());
-  }
-  for (const std::string* text : {&checkpoint.loop, &checkpoint.history, &checkpoint.scene})
-    sum.add(text->data(), text->size());
+  sum.add(name.data(), name.size());
+  sum.add(bytes.data(), bytes.size());
   return sum.value();
 }
 
-std::vector<std::uint8_t> bytes_of(const std::string& text) {
-  return {text.begin(), text.end()};
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 /// Throws InputError where the checkpoint is laid out in another way, before anything of it is taken.
@@ -46,47 +47,47 @@ void require_layout(const std::filesystem::path& path, const hdf5::File& file, c
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::function<Checkpoint()>& make, Snapshot snapshot,
-                      const SnapshotInfo& info) {
-  hdf5::File file = snapshot_file(std::move(snapshot), info, Compression::none);
-  Checkpoint checkpoint = make();
-  const std::uint64_t checksum = checksum_of(checkpoint);
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& around,
+                      const std::function<void(const TakeBlock&)>& save, Snapshot snapshot, const SnapshotInfo& info) {
+  hdf5::File file = hdf5::File::replacing(path);
+  write_snapshot(file, std::move(snapshot), info, Compression::none);
   hdf5::Group group = file.group("sphk").create_group(group_name);
-  for (auto& [name, bytes] : checkpoint.state) {
-    group.write(name, bytes);
-    bytes = std::vector<std::uint8_t>();
-  }
   group.set(layout_name, std::int32_t{checkpoint_layout});
-  group.write(loop_name, bytes_of(checkpoint.loop));
-  group.write(history_name, bytes_of(checkpoint.history));
-  group.write("Checksum", std::vector<std::uint64_t>{checksum});
-  file.save(path);
+  std::uint64_t checksum = checksum_of(scene_name, bytes_of(around.scene));
+  const TakeBlock put = [&](const std::string& name, std::span<const std::uint8_t> bytes) {
+    group.write(name, bytes);
+    checksum += checksum_of(name, bytes);
+  };
+  save(put);
+  put(loop_name, bytes_of(around.loop));
+  put(history_name, bytes_of(around.history));
+  group.write(checksum_name, std::vector<std::uint64_t>{checksum});
+  file.save();
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  const hdf5::File file = hdf5::File::open(path);
-  if (!file.has("sphk") || !file.group("sphk").has(group_name))
+  const auto file = std::make_shared<const hdf5::File>(hdf5::File::open(path));
+  if (!file->has("sphk") || !file->group("sphk").has(group_name))
     throw InputError(fmt::format("{} is no checkpoint", path.string()));
-  const hdf5::Group group = file.group("sphk").group(group_name);
-  require_layout(path, file, group);
+  const hdf5::Group group = file->group("sphk").group(group_name);
+  require_layout(path, *file, group);
   Checkpoint checkpoint;
-  checkpoint.scene = file.group("sphk").text("SceneText");
-  std::uint64_t checksum = 0;
+  checkpoint.scene = file->group("sphk").text("SceneText");
+  std::uint64_t checksum = checksum_of(scene_name, bytes_of(checkpoint.scene));
   for (const std::string& name : group.members()) {
-    if (name == "Checksum") {
-      const auto values = group.dataset(name).read<std::uint64_t>();
-      checksum = values.empty() ? 0 : values[0];
-      continue;
-    }
-    std::vector<std::uint8_t> bytes = group.dataset(name).read<std::uint8_t>();
-    if (name == loop_name)
-      checkpoint.loop.assign(bytes.begin(), bytes.end());
-    else if (name == history_name)
-      checkpoint.history.assign(bytes.begin(), bytes.end());
-    else
-      checkpoint.state[name] = std::move(bytes);
+    if (name == checksum_name) continue;
+    const std::vector<std::uint8_t> bytes = group.dataset(name).read<std::uint8_t>();
+    checksum += checksum_of(name, bytes);
+    if (name == loop_name) checkpoint.loop.assign(bytes.begin(), bytes.end());
+    if (name == history_name) checkpoint.history.assign(bytes.begin(), bytes.end());
   }
-  if (checksum != checksum_of(checkpoint)) throw InputError(fmt::format("{} is damaged", path.string()));
+  const auto written = group.dataset(checksum_name).read<std::uint64_t>();
+  if (written != std::vector{checksum}) throw InputError(fmt::format("{} is damaged", path.string()));
+  checkpoint.simulation = [file](const std::string& name) {
+    const hdf5::Group blocks = file->group("sphk").group(group_name);
+    if (!blocks.has(name)) throw InputError(fmt::format("the saved state has no \"{}\"", name));
+    return blocks.dataset(name).read<std::uint8_t>();
+  };
   return checkpoint;
 }
 

@@ -13,19 +13,19 @@ namespace sphk {
 /// change of either, so that no run goes on from a state that means something else.
 inline constexpr int checkpoint_layout = 3;
 
-/// A run as it can be gone on with: the simulation, and what is around it.
+/// What is around a simulation in a run that can be gone on with.
 struct Checkpoint {
-  SavedState state;
-  std::string loop;     ///< what the loop knows, as JSON
-  std::string history;  ///< the text of history.csv until then
-  std::string scene;    ///< the text of scene.used.toml; written as that of the snapshot
+  std::string loop;        ///< what the loop knows, as JSON
+  std::string history;     ///< the text of history.csv until then
+  std::string scene;       ///< the text of scene.used.toml; written as that of the snapshot
+  GiveBlock simulation{};  ///< the blocks of its saved state, read from the file when they are asked for
 };
 
-/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; its scene's text is that of `info`. The
-/// checkpoint is asked for once the snapshot's fields are in the file and gone, so that not all is in memory at once.
-/// It appears under its name only when it is complete and on the disk. Errors as for write_snapshot.
-void write_checkpoint(const std::filesystem::path& path, const std::function<Checkpoint()>& checkpoint,
-                      Snapshot snapshot, const SnapshotInfo& info);
+/// Writes a snapshot with the checkpoint in its group /sphk/Checkpoint; its scene's text is that of `info`. `save`
+/// hands over the blocks of the simulation's state; one is in memory at a time. The file appears under its name only
+/// when it is complete and on the disk. Errors as for write_snapshot.
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& around,
+                      const std::function<void(const TakeBlock&)>& save, Snapshot snapshot, const SnapshotInfo& info);
 
 /// Reads it back. Throws InputError where the file is none, is of another layout, or its checksum tells that it is
 /// damaged.

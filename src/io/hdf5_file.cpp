@@ -3,13 +3,17 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/sendfile.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
+#include <optional>
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/io/disk_driver.hpp"
 #include "src/io/hdf5_number.hpp"
 #include "src/io/input_file.hpp"
 
@@ -251,16 +255,49 @@ void Group::link(const std::string& name, const std::string& path) {
     fail(fmt::format("\"{}\" cannot be made a link to \"{}\"", name, path));
 }
 
-File File::create() {
-  constexpr std::size_t increment = std::size_t{1} << 20;
-  static std::atomic<unsigned> made = 0;  // HDF5 refuses a second file of the same name
+/// Where a new file goes: to the disk, or to memory of the system's.
+struct File::Output {
+  std::optional<NewFile> disk;
+  Target target;
+  ~Output() {
+    if (!disk) close(target.file);
+  }
+};
+
+File::File(Handle id, std::unique_ptr<Output> output) : Group(std::move(id)), output_(std::move(output)) {}
+
+File::File(File&& other) noexcept = default;
+
+File::~File() {
+  id_ = Handle();  // HDF5 writes what it has left before its target goes
+}
+
+File File::created(const std::string& name, std::unique_ptr<Output> output) {
   silence();
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_core(access.get(), increment, false);
-  const std::string name = fmt::format("file {} in memory", ++made);
+  const Handle access(access_to(output->target), H5Pclose);
   Handle id(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
-  if (id.get() < 0) refuse(hdf5_reason(), "no HDF5 file can be made in memory");
-  return File(std::move(id));
+  if (id.get() < 0) refuse(hdf5_reason(), name + ": no HDF5 file can be made");
+  return File(std::move(id), std::move(output));
+}
+
+File File::replacing(const std::filesystem::path& path) {
+  auto output = std::make_unique<Output>();
+  output->target.file = output->disk.emplace(path).descriptor();
+  return created(path.string(), std::move(output));
+}
+
+File File::in_memory(bool drops_values) {
+  auto output = std::make_unique<Output>();
+  output->target = {.file = memfd_create("HDF5 file", MFD_CLOEXEC), .drops_values = drops_values};
+  return created("file in memory", std::move(output));
+}
+
+File File::create() {
+  return in_memory(false);
+}
+
+File File::rehearsed() {
+  return in_memory(true);
 }
 
 File File::open(const std::filesystem::path& path) {
@@ -272,7 +309,7 @@ File File::open(const std::filesystem::path& path) {
     refuse(reason,
            path.string() + (locked.empty() ? ": this is no readable HDF5 file; copy or write it anew" : locked));
   }
-  return File(std::move(id));
+  return File(std::move(id), nullptr);
 }
 
 double File::bytes() const {
@@ -281,13 +318,26 @@ double File::bytes() const {
   return static_cast<double>(size);
 }
 
-void File::save(const std::filesystem::path& path) const {
-  void** image = nullptr;
-  if (H5Fflush(id_.get(), H5F_SCOPE_LOCAL) < 0) fail("it cannot be finished");
-  const ssize_t size = H5Fget_file_image(id_.get(), nullptr, 0);
-  if (size < 0 || H5Fget_vfd_handle(id_.get(), H5P_DEFAULT, reinterpret_cast<void**>(&image)) < 0)
-    fail("its image cannot be had");
-  write_atomically(path, {static_cast<const char*>(*image), static_cast<std::size_t>(size)});
+std::size_t File::finish(const NewFile& file) {
+  const double size = bytes();
+  const Target& target = output_->target;
+  if (target.error != 0) file.fail(size, target.error);
+  if (ftruncate(target.file, static_cast<off_t>(size)) != 0) file.fail(size, errno);
+  return static_cast<std::size_t>(size);
+}
+
+void File::save() {
+  finish(*output_->disk);
+  output_->disk->complete();
+}
+
+void File::save(const std::filesystem::path& path) {
+  NewFile copy(path);
+  const auto size = static_cast<off_t>(finish(copy));
+  for (off_t moved = 0; moved < size;)  // sendfile counts on
+    if (sendfile(copy.descriptor(), output_->target.file, &moved, static_cast<std::size_t>(size - moved)) <= 0)
+      copy.fail(static_cast<double>(size), errno);
+  copy.complete();
 }
 
 }  // namespace sphk::hdf5

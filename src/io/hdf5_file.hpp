@@ -6,10 +6,16 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+namespace sphk {
+class NewFile;
+}
 
 /// A thin owner of HDF5's C API: only what snapshots need. Every failure is an InputError that names the file, the
 /// object and HDF5's own reason; HDF5 itself prints nothing.
@@ -146,6 +152,10 @@ class Group : public Object {
                          compressed);
   }
 
+  Dataset write(const std::string& name, std::span<const std::uint8_t> bytes) {
+    return write_dataset(name, native_type<std::uint8_t>(), bytes.data(), bytes.size(), 0, false);
+  }
+
   /// Makes `name` a second name of the object at `path`, absolute within the file: a hard link, no copy.
   void link(const std::string& name, const std::string& path);
 
@@ -154,18 +164,34 @@ class Group : public Object {
                         bool compressed);
 };
 
-/// An open file; its root group is the file itself. A new file is made in memory and saved in one go: after a failed
-/// write to the disk HDF5 1.10 can neither close its file nor let the program end without a crash.
+/// An open file; its root group is the file itself.
 class File : public Group {
  public:
-  static File create();
   static File open(const std::filesystem::path& path);
+  /// A new file that is to be `path` once it is saved, and grows on the disk; errors as for NewFile.
+  static File replacing(const std::filesystem::path& path);
+  /// A new file without a name, in memory that is not the process's own.
+  static File create();
+  /// The same without what its datasets hold, for the size that it would have.
+  static File rehearsed();
+
+  File(File&& other) noexcept;
+  ~File();
   double bytes() const;
-  /// Writes the file to `path`, all or nothing; errors as for write_atomically.
-  void save(const std::filesystem::path& path) const;
+  /// The file is complete: it replaces the one of its name, all or nothing. Throws InputError.
+  void save();
+  /// Writes a file without a name to `path`, all or nothing; errors as for write_atomically.
+  void save(const std::filesystem::path& path);
 
  private:
-  explicit File(Handle id) : Group(std::move(id)) {}
+  struct Output;
+  File(Handle id, std::unique_ptr<Output> output);
+  static File created(const std::string& name, std::unique_ptr<Output> output);
+  static File in_memory(bool drops_values);
+  /// Everything is handed over to the system; the size of the file. Throws InputError where that failed.
+  std::size_t finish(const NewFile& file);
+
+  std::unique_ptr<Output> output_;  ///< of a new file
 };
 
 }  // namespace sphk::hdf5

@@ -82,18 +82,17 @@ ReadersBox readers_box(const Snapshot& snapshot) {
 }
 
 std::vector<double> true_points(const Snapshot& snapshot, const ReadersBox& box) {
-  std::vector<double> points = snapshot.field("Coordinates").values;
+  const std::vector<double>& x = snapshot.field("Coordinates").values;
   const auto dimension = static_cast<std::size_t>(snapshot.dimension);
-  bool differ = false;
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    const Array3 seen = box.placed({points[i], points[i + 1], points[i + 2]});
-    for (std::size_t k = 0; k < 3; ++k)
-      if (k >= dimension)
-        points[i + k] = seen[k];
-      else
-        differ |= points[i + k] != seen[k];
+  std::vector<double> points;
+  for (std::size_t i = 0; i < x.size(); i += 3) {
+    const Array3 seen = box.placed({x[i], x[i + 1], x[i + 2]});
+    if (points.empty() && !std::equal(&x[i], &x[i] + dimension, seen.begin())) points = x;
   }
-  if (!differ) points.clear();
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    const Array3 seen = box.placed({x[i], x[i + 1], x[i + 2]});
+    std::copy(seen.begin() + dimension, seen.end(), &points[i] + dimension);
+  }
   return points;
 }
 

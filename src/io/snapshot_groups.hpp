@@ -18,7 +18,7 @@ void write_metadata(hdf5::File& file, const Snapshot& snapshot, const SnapshotIn
 /// at `coordinates`.
 void write_cells(hdf5::File& file, const std::vector<double>& coordinates, const ReadersBox& box);
 
-/// What write_snapshot writes, still in memory.
-hdf5::File snapshot_file(Snapshot snapshot, const SnapshotInfo& info, Compression compression);
+/// Writes a snapshot to a new file, which others may add to.
+void write_snapshot(hdf5::File& file, Snapshot snapshot, const SnapshotInfo& info, Compression compression);
 
 }  // namespace sphk

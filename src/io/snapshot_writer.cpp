@@ -54,6 +54,13 @@ void write_field(hdf5::Group& gas, const Field& field, const SnapshotInfo& info,
   describe(gas.write(field.name, field.values, columns, compressed), field.description, field.units, info);
 }
 
+void require_size(const Field& field, std::size_t particles) {
+  const std::size_t wanted = particles * static_cast<std::size_t>(field.components);
+  if (field.values.size() != wanted)
+    throw InputError(fmt::format("the field {} has {} values; {} particles of {} numbers each need {}", field.name,
+                                 field.values.size(), particles, field.components, wanted));
+}
+
 /// SWIFT's h, in place of the support radius.
 Field swift_smoothing_lengths(Field support, const SnapshotInfo& info, int dimension) {
   const double gamma = kernel_gamma(info.kernel, dimension);
@@ -63,10 +70,12 @@ Field swift_smoothing_lengths(Field support, const SnapshotInfo& info, int dimen
   return support;
 }
 
-/// Lets go of the fields' values as they are written: the file is in memory as well.
+/// Makes the fields' values one after the other, where they are not there yet, and lets go of them.
 void write_gas(hdf5::Group gas, Snapshot& snapshot, const SnapshotInfo& info, bool compressed) {
   describe(gas.write("ParticleIDs", snapshot.id, 0, compressed), "Unique number of the particle", {}, info);
   for (Field& field : snapshot.fields) {
+    field.fill();
+    require_size(field, snapshot.size());
     write_field(gas, field, info, compressed);
     Field gone{field.name, "", field.units, field.components, std::move(field.values)};
     if (field.name == "SmoothingLength")
@@ -76,9 +85,9 @@ void write_gas(hdf5::Group gas, Snapshot& snapshot, const SnapshotInfo& info, bo
     if (snapshot.has(plural)) gas.link(singular, fmt::format("/PartType0/{}", plural));
 }
 
-/// The same datasets as ParaView wants them: points that are vertices, and the fields as point data. `points`: where
-/// they are, if not where the other readers see them.
-void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, const std::vector<double>& points, bool compressed) {
+/// The same datasets as ParaView wants them: points that are vertices, and the fields as point data. Points are there
+/// already, if they are not where the other readers see them.
+void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, bool compressed) {
   constexpr std::uint8_t vertex_type = 1;  // VTK_VERTEX
   const auto n = static_cast<std::int64_t>(snapshot.size());
   vtk.set("Version", std::vector<std::int64_t>{1, 0});
@@ -91,22 +100,11 @@ void write_vtkhdf(hdf5::Group vtk, const Snapshot& snapshot, const std::vector<d
   counting.pop_back();
   vtk.write("Connectivity", counting, 0, compressed);
   vtk.write("Types", std::vector<std::uint8_t>(snapshot.size(), vertex_type), 0, compressed);
-  if (points.empty())
-    vtk.link("Points", "/PartType0/Coordinates");
-  else
-    vtk.write("Points", points, 3, compressed);
+  if (!vtk.has("Points")) vtk.link("Points", "/PartType0/Coordinates");
   hdf5::Group point_data = vtk.create_group("PointData");
   point_data.link("ParticleIDs", "/PartType0/ParticleIDs");
   for (const Field& field : snapshot.fields)
     if (field.name != "Coordinates") point_data.link(field.name, fmt::format("/PartType0/{}", field.name));
-}
-
-void check_sizes(const Snapshot& snapshot) {
-  for (const Field& field : snapshot.fields)
-    if (field.values.size() != snapshot.size() * static_cast<std::size_t>(field.components))
-      throw InputError(fmt::format("the field {} has {} values; {} particles of {} numbers each need {}", field.name,
-                                   field.values.size(), snapshot.size(), field.components,
-                                   snapshot.size() * static_cast<std::size_t>(field.components)));
 }
 
 /// Puts the particles where the box has its readers see them.
@@ -119,28 +117,31 @@ const std::vector<double>& place_coordinates(Snapshot& snapshot, const ReadersBo
   return x;
 }
 
-hdf5::File placed_file(Snapshot snapshot, const SnapshotInfo& info, const ReadersBox& box, Compression compression) {
+void write_placed(hdf5::File& file, Snapshot snapshot, const SnapshotInfo& info, const ReadersBox& box,
+                  Compression compression) {
   const bool compressed = compression == Compression::gzip;
-  hdf5::File file = hdf5::File::create();
   write_metadata(file, snapshot, info, box);
-  const std::vector<double> points = true_points(snapshot, box);
+  hdf5::Group vtk = file.create_group("VTKHDF");
+  if (const std::vector<double> points = true_points(snapshot, box); !points.empty())
+    vtk.write("Points", points, 3, compressed);
   write_cells(file, place_coordinates(snapshot, box), box);
   write_gas(file.create_group("PartType0"), snapshot, info, compressed);
-  write_vtkhdf(file.create_group("VTKHDF"), snapshot, points, compressed);
-  return file;
+  write_vtkhdf(std::move(vtk), snapshot, compressed);
 }
 
 }  // namespace
 
-hdf5::File snapshot_file(Snapshot snapshot, const SnapshotInfo& info, Compression compression) {
-  check_sizes(snapshot);
+void write_snapshot(hdf5::File& file, Snapshot snapshot, const SnapshotInfo& info, Compression compression) {
+  require_size(snapshot.field("Coordinates"), snapshot.size());
   const ReadersBox box = readers_box(snapshot);
-  return placed_file(std::move(snapshot), info, box, compression);
+  write_placed(file, std::move(snapshot), info, box, compression);
 }
 
 void write_snapshot(const std::filesystem::path& path, Snapshot snapshot, const SnapshotInfo& info,
                     Compression compression) {
-  snapshot_file(std::move(snapshot), info, compression).save(path);
+  hdf5::File file = hdf5::File::replacing(path);
+  write_snapshot(file, std::move(snapshot), info, compression);
+  file.save();
 }
 
 void write_fields(const std::filesystem::path& path, const ParticleSet& particles, std::span<const Field> fields,
@@ -160,9 +161,10 @@ void write_fields(const std::filesystem::path& path, const ParticleSet& particle
   for (const Array3& x : particles.x) coordinates.values.insert(coordinates.values.end(), x.begin(), x.end());
   snapshot.fields.push_back(std::move(coordinates));
   snapshot.fields.insert(snapshot.fields.end(), fields.begin(), fields.end());
-  check_sizes(snapshot);
   const ReadersBox box = unshifted_box(snapshot);
-  placed_file(std::move(snapshot), info, box, Compression::none).save(path);
+  hdf5::File file = hdf5::File::replacing(path);
+  write_placed(file, std::move(snapshot), info, box, Compression::none);
+  file.save();
 }
 
 void write_series(const std::filesystem::path& folder, std::span<const SeriesEntry> entries) {

@@ -34,8 +34,8 @@ enum class Compression { none, gzip };
 /// Writes `snapshot` as one HDF5 file that yt, pynbody, swiftsimio, SPLASH and ParaView open: SWIFT's layout, GADGET's
 /// singular names and a /VTKHDF group as hard links. All numbers are in the units of `info`. Coordinates are moved to
 /// where readers look for them (readers_box.hpp), which read_particles undoes.
-/// The file is built in memory, from fields that a snapshot which is moved here loses on the way, and appears under its
-/// name only when it is complete and on the disk. Throws InputError when the folder cannot be written, the disk is
+/// Fields of a view (Simulation::view) are made one after the other. The file appears under its name only when it is
+/// complete and on the disk. Throws InputError when the folder cannot be written, the disk is
 /// full, or a field does not have `snapshot.size()` rows.
 void write_snapshot(const std::filesystem::path& path, Snapshot snapshot, const SnapshotInfo& info,
                     Compression compression = Compression::none);

@@ -104,11 +104,10 @@ void Checkpoints::write(const Simulation& simulation, const LoopState& loop, con
   const Stopwatch watch;
   Writer text;
   visit(text, loop, output, box);
-  const auto checkpoint = [&] {
-    return Checkpoint{simulation.save(), text.json.dump(),
-                      text_of_file(folder_ / "history.csv").substr(0, output.history_bytes), info.scene_text};
-  };
-  write_checkpoint(folder_ / names[next_], checkpoint, simulation.snapshot(), info);
+  const Checkpoint around{text.json.dump(), text_of_file(folder_ / "history.csv").substr(0, output.history_bytes),
+                          info.scene_text};
+  const auto save = [&](const TakeBlock& take) { simulation.save(take); };
+  write_checkpoint(folder_ / names[next_], around, save, simulation.view(), info);
   next_ = 1 - next_;
   seconds_ = watch.wall();
 }
@@ -128,13 +127,13 @@ SavedRun newest_checkpoint(const fs::path& folder, const Scene& scene, const Set
     const fs::path file = folder / name;
     if (!fs::exists(file)) continue;
     try {
-      const Checkpoint checkpoint = read_checkpoint(file);
+      Checkpoint checkpoint = read_checkpoint(file);
       require_same_run(file, scene, settings);
       SavedRun run;
       visit(Reader{Json::parse(checkpoint.loop)}, run.loop, run.output, run.box);
       if (newest && newest->loop.steps >= run.loop.steps) continue;
       run.file = file;
-      run.simulation = checkpoint.state;
+      run.simulation = std::move(checkpoint.simulation);
       run.history = checkpoint.history;
       run.scene = checkpoint.scene;
       newest = std::move(run);

@@ -27,7 +27,7 @@ struct SavedRun {
   OutputState output;
   Box box;
   std::filesystem::path file;
-  SavedState simulation;
+  GiveBlock simulation;
   std::string history, scene;        ///< the texts of history.csv and scene.used.toml
   std::vector<std::string> remarks;  ///< on checkpoints that could not be read
 };

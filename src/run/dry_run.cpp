@@ -18,18 +18,16 @@ namespace sphk {
 
 namespace {
 
-double bytes_of(const SavedState& saved) {
-  double bytes = 0;
-  for (const auto& [name, block] : saved) bytes += static_cast<double>(block.size());
-  return bytes;
-}
-
-/// Measures the gas and writes a snapshot to memory, as a run does before it goes to the disk; the size of the file.
+/// Measures the gas and makes a snapshot of it, as a run does, without the disk; the size of its file.
 double rehearse_output(const Problem& problem, const Simulation& simulation) {
-  Snapshot snapshot = simulation.snapshot();
+  Snapshot snapshot = simulation.view();
   problem.scene->measures(problem.settings, snapshot);
+  snapshot.let_go();
   problem.scene->errors(problem.settings, snapshot);
-  return snapshot_file(std::move(snapshot), snapshot_info(*problem.scene, problem.settings), Compression::none).bytes();
+  snapshot.let_go();
+  hdf5::File file = hdf5::File::rehearsed();
+  write_snapshot(file, std::move(snapshot), snapshot_info(*problem.scene, problem.settings), Compression::none);
+  return file.bytes();
 }
 
 /// What some particles of the gas make a run hold: all that does not grow with their number.
@@ -73,7 +71,6 @@ DryRun dry_run(const Problem& problem) {
   run.bytes_per_particle = simulation->costs().bytes_per_particle;
   run.output_bytes = as_many * run.snapshots * rehearse_output(problem, *simulation);
   run.peak_bytes = constant + as_many * (peak_memory_bytes() - constant);
-  run.checkpoint_bytes = as_many * bytes_of(simulation->save());
   run.available_bytes = available_memory_bytes();
   return run;
 }
@@ -88,10 +85,9 @@ std::string DryRun::text() const {
   const bool all = static_cast<double>(trial_particles) == particles;
   add("particles", fmt::format("{:.0f} in {}D{}", particles, dimension,
                                all ? "" : fmt::format(", told from {} of their kind", trial_particles)));
-  const double most = peak_bytes + checkpoint_bytes;
-  add("memory", fmt::format("{} at its peak, {} with a checkpoint; {:.0f} bytes per particle on the device{}",
-                            bytes_text(peak_bytes), bytes_text(most), bytes_per_particle,
-                            most < available_bytes
+  add("memory", fmt::format("{} at its peak; {:.0f} bytes per particle on the device{}", bytes_text(peak_bytes),
+                            bytes_per_particle,
+                            peak_bytes < available_bytes
                                 ? ""
                                 : fmt::format("; MORE than the {} that are free here", bytes_text(available_bytes))));
   add("time-step", fmt::format("{:.3e} after {} steps", dt, trial_steps));
@@ -113,7 +109,6 @@ std::string DryRun::json() const {
                                           {"dimension", dimension},
                                           {"bytes_per_particle", bytes_per_particle},
                                           {"peak_memory_bytes", peak_bytes},
-                                          {"checkpoint_bytes", checkpoint_bytes},
                                           {"dt", dt},
                                           {"end", end},
                                           {"steps", steps},

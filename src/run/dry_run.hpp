@@ -15,7 +15,6 @@ struct DryRun {
   std::size_t trial_particles = 0;  ///< as many were tried; fewer than all where those are many
   double bytes_per_particle = 0;    ///< on the device
   double peak_bytes = 0;            ///< of memory that the run will hold, outputs included
-  double checkpoint_bytes = 0;      ///< that it holds beside them while it writes a checkpoint
   double available_bytes = 0;       ///< that this machine can give
   double dt = 0, end = 0;           ///< the time-step after the trial, the end time; code units
   double steps = 0;                 ///< to the end, if the time-step stays as it is

@@ -21,7 +21,13 @@ PlotHint plain_hint(const Box& box) {
 }
 
 FileScene::FileScene(const std::filesystem::path& path, const std::filesystem::path& particles)
-    : path_(std::filesystem::absolute(path)), content_(read_particles(particles)), verdict_(judge(content_)) {
+    : path_(std::filesystem::absolute(path)),
+      particles_(std::filesystem::absolute(particles)),
+      content_(read_particles(particles)),
+      verdict_(judge(content_)),
+      doubt_(dimension_in_doubt(content_)) {
+  ParticleSet& gas = content_.particles;
+  gas = {.dimension = gas.dimension, .box = gas.box, .time = gas.time};
   if (content_.own_snapshot) read_method(particles);
 }
 
@@ -85,12 +91,12 @@ void FileScene::set_dimension(ParticleSet& gas, const Settings& settings) const 
 
 ParticleSet FileScene::build(const Settings& settings) const {
   std::vector<std::string> errors = verdict_.errors;
-  const std::string doubt = dimension_in_doubt(content_);
-  if (!doubt.empty() && !settings.set_by_user("scene.dimension")) errors.push_back(doubt);
+  if (!doubt_.empty() && !settings.set_by_user("scene.dimension")) errors.push_back(doubt_);
   if (!errors.empty())
     throw InputError(
         fmt::format("{} cannot be run before this is mended:\n  {}", path_.string(), fmt::join(errors, "\n  ")));
-  ParticleSet particles = content_.particles;
+  ParticleSet particles = read_particles(particles_).particles;
+  particles.h = std::vector<double>();  // a run finds its own
   set_dimension(particles, settings);
   const std::string& periodic = settings.text("scene.periodic");
   for (int axis = 0; axis < particles.dimension && periodic != "file"; ++axis)

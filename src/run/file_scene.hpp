@@ -18,7 +18,8 @@ class FileScene : public Scene {
  public:
   static constexpr const char* scene_name = "file";
 
-  /// Reads the file at once; throws InputError when it is no readable initial condition.
+  /// Reads the file at once, to judge it, and again for build(): particles are not kept in between. Throws InputError
+  /// when it is no readable initial condition.
   explicit FileScene(const std::filesystem::path& path) : FileScene(path, path) {}
   /// The same with another file's particles, such as those of a later snapshot.
   FileScene(const std::filesystem::path& path, const std::filesystem::path& particles);
@@ -42,9 +43,10 @@ class FileScene : public Scene {
   /// Makes the gas one of as many dimensions as are asked for.
   void set_dimension(ParticleSet& gas, const Settings& settings) const;
 
-  std::filesystem::path path_;
-  ReadResult content_;
+  std::filesystem::path path_, particles_;
+  ReadResult content_;  ///< without the particles
   Verdict verdict_;
+  std::string doubt_;                                        ///< about the number of dimensions
   std::vector<std::pair<std::string, std::string>> method_;  ///< what it goes on with, unless the user asks for another
 };
 

@@ -109,7 +109,7 @@ void RunOutput::write(const Simulation& simulation) {
   const StepReport step = simulation.last_step();
   if (step.step == last_step_) return;
   const Stopwatch watch;
-  Snapshot snapshot = simulation.snapshot();
+  Snapshot snapshot = simulation.view();
   snapshot.time = meant_time(snapshot.time);
   History::Measures measures = scene_.measures(settings_, snapshot);
   if (settings_.flag("output.errors")) {
@@ -131,7 +131,7 @@ void RunOutput::write(const Simulation& simulation) {
 
 void RunOutput::add_row(const Simulation& simulation) {
   const Stopwatch watch;
-  const Snapshot snapshot = simulation.snapshot();
+  const Snapshot snapshot = simulation.view();
   History::Measures measures = scene_.measures(settings_, snapshot);
   compare(snapshot, measures);
   add_row(simulation, snapshot.box, measures);
@@ -139,10 +139,13 @@ void RunOutput::add_row(const Simulation& simulation) {
 }
 
 void RunOutput::compare(const Snapshot& snapshot, History::Measures& measures) {
+  snapshot.let_go();
   deviations_.add(snapshot.time, measures);
   errors_ = scene_.errors(settings_, snapshot);
+  snapshot.let_go();
   for (const auto& [field, norm] : errors_) measures.emplace_back("l1_" + field, norm.l1);
   add_alpha(measures, snapshot);
+  snapshot.let_go();
 }
 
 void RunOutput::add_row(const Simulation& simulation, const Box& box, const History::Measures& measures) {

@@ -80,7 +80,7 @@ class Expansion final : public Scene {
   Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const auto solution = exact(settings);
     const double to = reach(settings, snapshot.time);
-    const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+    const auto x = rows(snapshot.field("Coordinates"));
     const auto& rho = snapshot.field("Densities").values;
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < snapshot.size(); ++i) {

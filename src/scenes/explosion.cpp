@@ -23,7 +23,7 @@ constexpr double density = 1;
 /// with a shock and does not feel how wide that is smeared.
 template <class F>
 double kinetic_radius(const Snapshot& snapshot, F&& counts) {
-  const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+  const auto x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
   const auto& m = snapshot.field("Masses").values;
   double sum = 0, energy = 0;
   for (std::size_t i = 0; i < m.size(); ++i) {

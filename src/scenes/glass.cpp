@@ -121,11 +121,13 @@ std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::ve
   for (int step = 1; step <= most_steps; ++step) {
     simulation->step(std::numeric_limits<double>::max());
     if (step % steps_between_looks != 0) continue;
-    const double now = scatter(simulation->snapshot().field("Densities").values);
+    const double now = scatter(simulation->view().field("Densities").values);
     if (now > 0.98 * before) break;
     before = now;
   }
-  return rows(simulation->snapshot().field("Coordinates"));
+  const Snapshot settled = simulation->view();
+  const auto x = rows(settled.field("Coordinates"));
+  return {x.begin(), x.end()};
 }
 
 std::string glass_file_name(int dimension, const GridCounts& counts) {

@@ -84,8 +84,11 @@ class Gresho : public Scene {
   Errors errors(const Settings& settings, const Snapshot& snapshot) const override {
     Snapshot resting = snapshot;
     const double boost = settings.real("scene.boost");
+    resting.let_go();
     const auto values = [&](const char* name) -> std::vector<double>& {
-      return std::ranges::find(resting.fields, name, &Field::name)->values;
+      Field& field = *std::ranges::find(resting.fields, name, &Field::name);
+      field.fill();
+      return field.values;
     };
     std::vector<double>&x = values("Coordinates"), &v = values("Velocities");
     for (std::size_t i = 0; i < resting.size(); ++i) {

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+
 #include "src/engine/errors.hpp"
 #include "src/scenes/keys.hpp"
 #include "src/schemes/registry.hpp"
@@ -10,17 +14,20 @@ namespace sphk {
 
 namespace {
 
-/// The gas with ids 1, 2, ...: a snapshot, which is sorted by id, then has the order of its rows.
-ParticleSet numbered_by_row(ParticleSet gas) {
-  gas.id.clear();
-  return gas;
+/// A run of the gas with ids 1, 2, ...: its snapshots, which are sorted by id, have the order of the gas' rows.
+std::unique_ptr<Simulation> run_by_row(ParticleSet& gas, const SimulationSettings& settings) {
+  std::vector<std::uint64_t> id = std::exchange(gas.id, {});
+  auto run = make_simulation(gas, settings);
+  gas.id = std::move(id);
+  return run;
 }
 
 /// u = P / ((gamma - 1) rho) with the density that the run's own smoothing kernel measures.
 void set_pressure(ParticleSet& gas, double P, const Settings& settings) {
   const SimulationSettings simulation = simulation_settings(settings);
-  const Snapshot measured = make_simulation(numbered_by_row(gas), simulation)->snapshot();
-  const std::vector<double>& rho = measured.field("Densities").values;
+  const auto measured = run_by_row(gas, simulation);
+  const Snapshot snapshot = measured->view();
+  const std::vector<double>& rho = snapshot.field("Densities").values;
   for (std::size_t i = 0; i < gas.size(); ++i) gas.u[i] = P / ((simulation.gamma - 1) * rho[i]);
 }
 
@@ -31,10 +38,11 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
   simulation.precision = "mixed";
   simulation.steps = global_steps;
   simulation.numbers.set("time.motion", 1);
-  ParticleSet resting = numbered_by_row(gas);
-  resting.time = 0;
-  resting.v.assign(gas.size(), {0, 0, 0});
-  const auto run = make_simulation(resting, simulation);
+  const double start = std::exchange(gas.time, 0);
+  std::vector<Array3> v = std::exchange(gas.v, std::vector<Array3>(gas.size()));
+  const auto run = run_by_row(gas, simulation);
+  gas.time = start;
+  gas.v = std::move(v);
   run->step(time);
   if (const double dt = run->time(); time > most_steps * dt)
     throw InputError(
@@ -43,8 +51,8 @@ void relax(ParticleSet& gas, double time, const Settings& settings) {
                     "it takes some crossings of the box by sound",
                     settings.real("ic.relax"), time / dt, dt, most_steps));
   while (run->time() < time) run->step(time);
-  const Snapshot settled = run->snapshot();
-  gas.x = rows(settled.field("Coordinates"));
+  const Snapshot settled = run->view();
+  std::ranges::copy(rows(settled.field("Coordinates")), gas.x.begin());
   gas.u = settled.field("InternalEnergies").values;
 }
 

@@ -109,7 +109,9 @@ double crossed_fraction(const Snapshot& snapshot, const LayerGeometry& layers) {
 }
 
 std::vector<std::pair<std::string, double>> layer_measures(const Snapshot& snapshot, const LayerGeometry& layers) {
-  return {{"M", mode_amplitude(snapshot, layers)},
+  const double M = mode_amplitude(snapshot, layers);
+  snapshot.let_go();  // of velocities
+  return {{"M", M},
           {"W", mixed_width(snapshot)},
           {"mixA", mixed_entropy_fraction(snapshot, layers)},
           {"crossed", crossed_fraction(snapshot, layers)}};

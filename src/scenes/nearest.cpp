@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "src/scenes/block.hpp"
 #include "src/scenes/scene.hpp"
@@ -21,8 +22,11 @@ NearestParticle::NearestParticle(const Snapshot& snapshot)
     edge_ = std::min(edge_, box_.size[axis] / counts_[axis]);
     cells *= static_cast<std::size_t>(counts_[axis]);
   }
-  rows_.resize(cells);
-  for (std::size_t i = 0; i < x_.size(); ++i) rows_[cell_of(cell_at(x_[i]))].push_back(i);
+  first_.resize(cells + 1);
+  rows_.resize(x_.size());
+  for (const Array3& x : x_) ++first_[cell_of(cell_at(x))];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  for (std::size_t i = x_.size(); i-- > 0;) rows_[--first_[cell_of(cell_at(x_[i]))]] = static_cast<std::uint32_t>(i);
 }
 
 /// Shell after shell of cells around that of x, until all that is nearer than the best has been seen.
@@ -43,7 +47,8 @@ double NearestParticle::distance(const Array3& x, std::size_t self) const {
 
 double NearestParticle::nearest_in(std::size_t cell, const Array3& x, std::size_t self) const {
   double best = std::numeric_limits<double>::infinity();
-  for (const std::size_t row : rows_[cell]) {
+  for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {
+    const std::size_t row = rows_[k];
     if (row == self) continue;
     double r2 = 0;
     for (int axis = 0; axis < dimension_; ++axis) {

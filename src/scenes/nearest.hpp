@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "src/engine/particle_set.hpp"
@@ -12,6 +14,7 @@ class NearestParticle {
  public:
   static constexpr std::size_t none = ~std::size_t{0};
 
+  /// The snapshot must stay, with its coordinates.
   explicit NearestParticle(const Snapshot& snapshot);
   /// Distance from x to the nearest particle, or to the nearest other one than that of the row `self`.
   double distance(const Array3& x, std::size_t self = none) const;
@@ -25,8 +28,8 @@ class NearestParticle {
   Box box_;
   std::array<int, 3> counts_{1, 1, 1};
   double edge_;  ///< the shortest of a cell
-  std::vector<Array3> x_;
-  std::vector<std::vector<std::size_t>> rows_;  ///< of the particles in each cell
+  std::span<const Array3> x_;
+  std::vector<std::uint32_t> first_, rows_;  ///< rows_[first_[cell]] and on: the particles of each cell
 };
 
 }  // namespace sphk

@@ -36,7 +36,7 @@ double scatter(const Snapshot& snapshot, double R) {
     double mean() const { return sum / particles; }
   };
   std::array<std::array<Bin, bins>, 2> sides{};  // x < 0, x > 0 in 1D; else all gas in the first
-  const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+  const auto x = rows(snapshot.field("Coordinates"));
   const auto& rho = snapshot.field("Densities").values;
   for (std::size_t i = 0; i < snapshot.size(); ++i) {
     const double place = (radius(x[i]) / R - 0.3) / 0.6 * bins;
@@ -63,7 +63,7 @@ double scatter(const Snapshot& snapshot, double R) {
 /// Mean u within a tenth of the shock's radius R, or of the innermost particles where none lies there, over the exact
 /// 1/2, less 1.
 double wall_heating(const Snapshot& snapshot, double R) {
-  const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+  const auto x = rows(snapshot.field("Coordinates"));
   const auto& u = snapshot.field("InternalEnergies").values;
   const auto distance = [&](std::size_t i) { return radius(x[i]); };
   double innermost = std::numeric_limits<double>::infinity(), sum = 0, count = 0;

@@ -90,7 +90,7 @@ ProfileLine along_R(double to) {
 }
 
 Errors profile_errors(const Snapshot& snapshot, const ProfileLine& line, const ExactSolution& exact) {
-  const std::vector<Array3> places = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+  const auto places = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
   const auto &rho = snapshot.field("Densities").values, &P = snapshot.field("Pressures").values;
   std::vector<Bin> bins(static_cast<std::size_t>(std::max(std::lround((line.to - line.from) / line.width), 0L)));
   std::array<Norms, std::size(kinds)> all;

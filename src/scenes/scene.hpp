@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct GasState {
   double u(double gamma) const { return P / ((gamma - 1) * rho); }
 };
 
-/// The rows of a field of vectors.
-std::vector<Array3> rows(const Field& field);
+/// The rows of a field of vectors, which are those of the field.
+std::span<const Array3> rows(const Field& field);
 
 /// One error norm: mean |error| (l1), root mean square (l2), largest (linf) and where the largest sits.
 struct ErrorNorm {

@@ -9,10 +9,9 @@
 
 namespace sphk {
 
-std::vector<Array3> rows(const Field& field) {
-  std::vector<Array3> rows(field.values.size() / 3);
-  for (std::size_t k = 0; k < field.values.size(); ++k) rows[k / 3][k % 3] = field.values[k];
-  return rows;
+std::span<const Array3> rows(const Field& field) {
+  static_assert(sizeof(Array3) == 3 * sizeof(double));
+  return {reinterpret_cast<const Array3*>(field.values.data()), field.values.size() / 3};
 }
 
 int Scene::dimension(const Settings& settings) const {

@@ -87,7 +87,7 @@ class Square final : public Scene {
   /// dense gas' centre of mass from where the boost carries it, over the box; of a layer across it.
   Measures measures(const Settings& settings, const Snapshot& snapshot) const override {
     const Problem problem(settings);
-    const std::vector<Array3> x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
+    const auto x = rows(snapshot.field("Coordinates")), v = rows(snapshot.field("Velocities"));
     const auto &P = snapshot.field("Pressures").values, &tag = snapshot.field("PhaseTags").values;
     const auto& m = snapshot.field("Masses").values;
     double blip = 0, speed = 0, mass = 0;

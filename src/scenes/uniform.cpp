@@ -59,7 +59,7 @@ class UniformGas : public Scene {
   /// neighbour that 5 % of the particles fall short of, over the mean spacing.
   Measures measures(const Settings&, const Snapshot& snapshot) const override {
     const std::vector<double>& rho = snapshot.field("Densities").values;
-    const std::vector<Array3> x = rows(snapshot.field("Coordinates"));
+    const auto x = rows(snapshot.field("Coordinates"));
     const auto count = static_cast<double>(snapshot.size());
     const double mean = std::accumulate(rho.begin(), rho.end(), 0.0) / count;
     double variance = 0;

@@ -46,6 +46,22 @@ TEST(ParticleSet, TagsFollowTheirParticlesThroughTheEngine) {
   for (std::size_t i = 0; i < tags.size(); ++i) EXPECT_EQ(tags[i], x[3 * i] < 0.5 ? 0 : 1);
 }
 
+/// A view's fields have their values when they are asked for, those of a snapshot, and again after they were let go of.
+TEST(ParticleSet, AViewMakesItsFieldsWhenTheyAreAskedFor) {
+  const auto run = make_simulation(tagged_gas(), {.scheme = "gadget2", .kernel = "cs", .neighbours = 20});
+  const Snapshot snapshot = run->snapshot(), view = run->view();
+  EXPECT_EQ(view.id, snapshot.id);
+  ASSERT_EQ(view.fields.size(), snapshot.fields.size());
+  for (int round = 0; round < 2; ++round) {
+    for (const Field& field : view.fields) EXPECT_TRUE(field.values.empty()) << field.name;
+    for (const Field& field : snapshot.fields) {
+      EXPECT_FALSE(field.values.empty()) << field.name;
+      EXPECT_EQ(view.field(field.name).values, field.values) << field.name;
+    }
+    view.let_go();
+  }
+}
+
 TEST(ParticleSet, WithoutTagsThereIsNoSuchField) {
   ParticleSet gas = tagged_gas();
   gas.tag.clear();

@@ -82,10 +82,12 @@ void write_hdf5(const fs::path& folder) {
   Snapshot snapshot = example_snapshot(1, particles);
   write_snapshot(folder / "snapshot", snapshot, example_info());
   write_snapshot(folder / "compressed", snapshot, example_info(), Compression::gzip);
-  const Checkpoint checkpoint{
-      .state = {{"x", {1, 2, 3, 4}}, {"t", {5}}}, .loop = "{}", .history = "step\n", .scene = {}};
-  write_checkpoint(
-      folder / "checkpoint", [&] { return checkpoint; }, snapshot, example_info());
+  const auto save = [](const TakeBlock& take) {
+    take("x", std::vector<std::uint8_t>{1, 2, 3, 4});
+    take("t", std::vector<std::uint8_t>{5});
+  };
+  write_checkpoint(folder / "checkpoint", {.loop = "{}", .history = "step\n", .scene = {}}, save, snapshot,
+                   example_info());
 }
 
 }  // namespace

@@ -43,6 +43,36 @@ TEST_F(Hdf5File, DatasetsKeepTypeShapeAndValues) {
   EXPECT_EQ(read.members(), (std::vector<std::string>{"group", "nothing", "table"}));
 }
 
+/// A new file takes its name when it is saved; one that is not leaves nothing.
+TEST_F(Hdf5File, ANewFileReplacesTheOldOneWhenItIsSaved) {
+  const std::vector<double> values(100000, 1.5);
+  for (const bool saved : {false, true}) {
+    std::ofstream(file("a.hdf5")) << "old";
+    {
+      auto made = File::replacing(file("a.hdf5"));
+      made.write("values", values);
+      EXPECT_EQ(std::filesystem::file_size(file("a.hdf5")), 3u);
+      if (saved) made.save();
+    }
+    EXPECT_EQ(std::filesystem::file_size(file("a.hdf5")) > 3, saved);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+  }
+  EXPECT_EQ(File::open(file("a.hdf5")).dataset("values").read<double>(), values);
+}
+
+TEST_F(Hdf5File, ARehearsedOneHasTheSizeOfTheFile) {
+  const auto fill = [](File& made) {
+    made.set("text", "some words");
+    Group group = made.create_group("group");
+    for (int k = 0; k < 20; ++k)
+      group.write("values " + std::to_string(k), std::vector<double>(5000 * k, 1.5), 0, k == 7);
+  };
+  auto made = File::replacing(file("a.hdf5")), rehearsed = File::rehearsed();
+  fill(made), fill(rehearsed);
+  made.save();
+  EXPECT_EQ(rehearsed.bytes(), static_cast<double>(std::filesystem::file_size(file("a.hdf5"))));
+}
+
 TEST_F(Hdf5File, ErrorsNameFileAndObjectAndPrintNothing) {
   auto made = File::create();
   made.create_group("group").set("word", "x");

@@ -93,6 +93,21 @@ TEST_F(SnapshotWriter, FieldsOfAWrongSizeAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(file("snap.hdf5")));
 }
 
+/// A field that makes its values when they are asked for is written as one that has them.
+TEST_F(SnapshotWriter, FieldsAreMadeWhenTheyAreWritten) {
+  const Snapshot s = example_snapshot(3, 40);
+  Snapshot view = s;
+  for (Field& field : view.fields) field.make = [values = std::exchange(field.values, {})] { return values; };
+  write_snapshot(file("snap.hdf5"), s, example_info());
+  write_snapshot(file("view.hdf5"), view, example_info());
+  EXPECT_EQ(read_text(file("view.hdf5")).size(), read_text(file("snap.hdf5")).size());
+  const hdf5::File a = hdf5::File::open(file("snap.hdf5")), b = hdf5::File::open(file("view.hdf5"));
+  for (const std::string& name : a.group("PartType0").members()) {
+    const auto path = "PartType0/" + name;
+    EXPECT_EQ(b.dataset(path).read<double>(), a.dataset(path).read<double>()) << name;
+  }
+}
+
 TEST_F(SnapshotWriter, FoldersThatCannotBeWrittenAreNamed) {
   const Snapshot s = example_snapshot(3, 4);
   const auto message = [&](const char* path) { return input_error([&] { write_snapshot(path, s, example_info()); }); };

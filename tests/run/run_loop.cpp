@@ -38,7 +38,7 @@ class Clock : public Simulation {
   }
   Costs costs() const override { return {.updates = last_.step, .phases = {}}; }
   StepReport last_step() const override { return last_; }
-  Snapshot snapshot() const override {
+  Snapshot view() const override {
     Snapshot s;
     s.time = last_.time;
     s.step = last_.step;
@@ -51,8 +51,11 @@ class Clock : public Simulation {
   }
   std::vector<Field> rates(bool) override { return {}; }
   std::vector<Field> errors() const override { return {}; }
-  SavedState save() const override { return {{"clock", {static_cast<std::uint8_t>(last_.step)}}}; }
-  void restore(const SavedState&) override {}
+  void save(const TakeBlock& take) const override {
+    const auto step = static_cast<std::uint8_t>(last_.step);
+    take("clock", {&step, 1});
+  }
+  void restore(const GiveBlock&) override {}
   Counts counts() const override { return {}; }
 
   std::vector<double> ends, heat_times;  ///< the t_end of every step, the times of heatings
@@ -195,7 +198,7 @@ TEST_F(RunLoopTest, AFileNamedStopEndsItWithACheckpoint) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "stop")) << "else it would end the next run too";
   const SavedRun saved = newest_checkpoint(folder.path(), scene, settings);
   EXPECT_EQ(saved.loop.steps, 1);
-  EXPECT_EQ(saved.simulation.at("clock"), std::vector<std::uint8_t>{1});
+  EXPECT_EQ(saved.simulation("clock"), std::vector<std::uint8_t>{1});
   EXPECT_EQ(saved.output.snapshot_times, std::vector<double>{0});
 }
 
