@@ -83,38 +83,51 @@ class CellTree {
   Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
 };
 
-namespace detail {
-
+/// Recomputes the box and h_max of a sub-cell from the columns,
 template <int D, class C>
-struct FitSubCells {
-  CellTree<D> tree;
-  C columns;
-  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
-    const int begin = k * sub_cell_size, end = min(begin + sub_cell_size, tree.n);
-    Bounds<D> b = Bounds<D>::empty();
-    for (int d = 0; d < D; ++d) {
-      const double* x = columns.template row<Position>(d);
-      for (int i = begin; i < end; ++i) b.lo[d] = min(b.lo[d], x[i]), b.hi[d] = max(b.hi[d], x[i]);
-    }
-    const double* h = columns.template row<Support>();
-    for (int i = begin; i < end; ++i) b.h_max = max(b.h_max, h[i]);
-    tree.set_node(0, k, b);
+KOKKOS_INLINE_FUNCTION void fit_sub_cell(const CellTree<D>& tree, const C& columns, int k) {
+  const int begin = k * sub_cell_size, end = min(begin + sub_cell_size, tree.n);
+  Bounds<D> b = Bounds<D>::empty();
+  for (int d = 0; d < D; ++d) {
+    const double* x = columns.template row<Position>(d);
+    for (int i = begin; i < end; ++i) b.lo[d] = min(b.lo[d], x[i]), b.hi[d] = max(b.hi[d], x[i]);
   }
-};
+  const double* h = columns.template row<Support>();
+  for (int i = begin; i < end; ++i) b.h_max = max(b.h_max, h[i]);
+  tree.set_node(0, k, b);
+}
 
+/// and those of a node from its children.
+template <int D>
+KOKKOS_INLINE_FUNCTION void fit_node(const CellTree<D>& tree, int level, int k) {
+  const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
+  Bounds<D> b = tree.node(level - 1, begin);
+  for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
+  tree.set_node(level, k, b);
+}
+
+namespace detail {
 template <int D>
 struct FitLevel {
   CellTree<D> tree;
   int level;
-  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
-    const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
-    Bounds<D> b = tree.node(level - 1, begin);
-    for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
-    tree.set_node(level, k, b);
-  }
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const { fit_node(tree, level, k); }
 };
-
+template <int D, class C>
+struct FitSubCells {
+  CellTree<D> tree;
+  C columns;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const { fit_sub_cell(tree, columns, k); }
+};
 }  // namespace detail
+
+/// Recomputes the nodes above the cells.
+template <int D>
+void fit_above(const CellTree<D>& tree, int first = 2) {
+  for (int level = first; level < tree.levels; ++level)
+    Kokkos::parallel_for("fit nodes", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
+                         detail::FitLevel<D>{tree, level});
+}
 
 /// Recomputes every box and h_max from the columns.
 template <int D, class C>
@@ -122,9 +135,7 @@ void fit(const CellTree<D>& tree, const C& columns) {
   if (tree.n == 0) return;
   Kokkos::parallel_for("fit sub-cells", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(0)),
                        detail::FitSubCells<D, C>{tree, columns});
-  for (int level = 1; level < tree.levels; ++level)
-    Kokkos::parallel_for("fit cells", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
-                         detail::FitLevel<D>{tree, level});
+  fit_above(tree, 1);
 }
 
 /// The box of all particles and their largest h; call after fit().

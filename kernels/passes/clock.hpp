@@ -24,9 +24,12 @@ struct StepClock {
   Kokkos::View<Ticks*, MemorySpace> begin, end;  ///< of every particle's step; empty where one step serves all
   /// Its nominal step is 2^power ticks; that in progress is shorter where it began between multiples of them.
   Kokkos::View<std::uint8_t*, MemorySpace> power;
+  /// Of every cell: for how long its particles have moved without anything else of them having been predicted.
+  Kokkos::View<double*, MemorySpace> late;
 
   /// Does a step of particle i begin where the drift does?
   KOKKOS_INLINE_FUNCTION bool opens(int i) const { return !individual || begin(i) == now; }
+  KOKKOS_INLINE_FUNCTION double late_of(int cell) const { return individual ? late(cell) : 0; }
   /// The particle's own step, as a time.
   KOKKOS_INLINE_FUNCTION double step_of(int i) const {
     return individual ? static_cast<double>(end(i) - begin(i)) * tick : dt;

@@ -27,21 +27,34 @@ KOKKOS_INLINE_FUNCTION double small_exp(double x) {
   return 1 + x * (1 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
 }
 
+/// How a particle gets through a step before its forces are known.
 template <class L>
-struct KickAndDrift {
+struct Motion {
   static constexpr int D = L::dimension;
   using Fields = typename L::Fields;
   Particles<L> state;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int i, LossCounts& losses) const {
-    const double dt = state.clock.dt;
-    if (state.clock.opens(i)) open(i, 0.5 * state.clock.step_of(i), losses);
+  /// Opening kick over half a step.
+  KOKKOS_INLINE_FUNCTION void open(int i, double half, LossCounts& losses) const {
+    const double kick = half * state.clock.mobility;
+    for (int d = 0; d < D; ++d)
+      state.template at<HalfStepVelocity>(i, d) =
+          state.template at<Velocity>(i, d) + kick * state.template at<Acceleration>(i, d);
+    state.template at<HalfStepThermal>(i) =
+        positive_sum(state.template at<Thermal>(i), half * state.template at<Heating>(i), losses.heat);
+    if constexpr (contains<MassRate, Fields>)
+      state.template at<HalfStepMass>(i) =
+          positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i), losses.mass);
+  }
+  KOKKOS_INLINE_FUNCTION void drift(int i, double dt) const {
+    const double moved = dt * state.clock.mobility;
+    for (int d = 0; d < D; ++d) state.template at<Position>(i, d) += moved * state.template at<HalfStepVelocity>(i, d);
+  }
+  /// What pairs read beside the position, dt later.
+  KOKKOS_INLINE_FUNCTION void predict(int i, double dt) const {
     LossCounts predicted;  // the closing kick takes their place
     const double moved = dt * state.clock.mobility;
-    for (int d = 0; d < D; ++d) {
-      state.template at<Position>(i, d) += moved * state.template at<HalfStepVelocity>(i, d);
-      state.template at<Velocity>(i, d) += moved * state.template at<Acceleration>(i, d);
-    }
+    for (int d = 0; d < D; ++d) state.template at<Velocity>(i, d) += moved * state.template at<Acceleration>(i, d);
     double& s = state.template at<Thermal>(i);
     const double s_before = s;
     s = positive_sum(s, dt * state.template at<Heating>(i), predicted.heat);
@@ -55,40 +68,76 @@ struct KickAndDrift {
       const double slope = h * state.template at<NumberDensitySlope>(i) / state.template at<NumberDensity>(i);
       // D + slope = 0 where the support holds coincident particles alone.
       h *= small_exp(min(max(expansion / max(D + slope, 0.1), -0.2), 0.2));
-      if (state.clock.individual) predict(i, expansion, s_before > 0 ? s / s_before : 1);
+      if (state.clock.individual) predict_gas(i, expansion, s_before > 0 ? s / s_before : 1);
     }
   }
 
  private:
-  /// Opening kick over half a step.
-  KOKKOS_INLINE_FUNCTION void open(int i, double half, LossCounts& losses) const {
-    const double kick = half * state.clock.mobility;
-    for (int d = 0; d < D; ++d)
-      state.template at<HalfStepVelocity>(i, d) =
-          state.template at<Velocity>(i, d) + kick * state.template at<Acceleration>(i, d);
-    state.template at<HalfStepThermal>(i) =
-        positive_sum(state.template at<Thermal>(i), half * state.template at<Heating>(i), losses.heat);
-    if constexpr (contains<MassRate, Fields>)
-      state.template at<HalfStepMass>(i) =
-          positive_sum(state.template at<Mass>(i), half * state.template at<MassRate>(i), losses.mass);
-  }
   template <class F>
   KOKKOS_INLINE_FUNCTION void scale(int i, double factor) const {
     if constexpr (contains<F, Fields>) state.template at<F>(i) *= factor;
   }
-  /// What pairs read of particles that are not computed at the end of this step: their gas expands, and heats.
-  KOKKOS_INLINE_FUNCTION void predict(int i, double expansion, double heated) const {
+  /// Of particles that are not computed at the end of this step: their gas expands, and heats.
+  KOKKOS_INLINE_FUNCTION void predict_gas(int i, double expansion, double heated) const {
     const double thinner = small_exp(-expansion);  // rho' / rho
     const double P = L::ThermalForm::pressure_growth(-expansion, thinner, state.parameters.gamma) * heated;
     scale<Density>(i, thinner);
     scale<GeneralDensity>(i, thinner);
     scale<InverseDensity>(i, 1 / thinner);
     scale<Pressure>(i, P);
+    scale<SmoothedPressure>(i, P);
     scale<PressureOverDensity2>(i, P / (thinner * thinner));
     scale<SoundSpeed>(i, Kokkos::sqrt(P / thinner));
     if constexpr (contains<InverseSupport, Fields>)
       state.template at<InverseSupport>(i) = 1 / state.template at<Support>(i);
   }
+};
+
+/// One step for all.
+template <class L>
+struct KickAndDrift {
+  Motion<L> motion;
+  KOKKOS_INLINE_FUNCTION void operator()(int i, LossCounts& losses) const {
+    const double dt = motion.state.clock.dt;
+    motion.open(i, 0.5 * dt, losses);
+    motion.drift(i, dt);
+    motion.predict(i, dt);
+  }
+};
+
+/// Brings all of a cell's particles to where their positions are.
+template <class L>
+KOKKOS_INLINE_FUNCTION void predict_cell(const Motion<L>& motion, int cell) {
+  double& late = motion.state.clock.late(cell);
+  if (late > 0)
+    for (int i = cell * cell_size, end = min(i + cell_size, motion.state.n); i < end; ++i) motion.predict(i, late);
+  late = 0;
+}
+
+/// Steps of the particles' own: all are moved, and predicted are those alone whose steps begin.
+template <class L>
+struct KickAndDriftCell {
+  Motion<L> motion;
+  KOKKOS_INLINE_FUNCTION void operator()(int cell, LossCounts& losses) const {
+    const StepClock& clock = motion.state.clock;
+    const int begin = cell * cell_size, end = min(begin + cell_size, motion.state.n);
+    bool any = false;
+    for (int i = begin; i < end; ++i) any = any || clock.opens(i);
+    if (any) {
+      predict_cell(motion, cell);
+      for (int i = begin; i < end; ++i)
+        if (clock.opens(i)) motion.open(i, 0.5 * clock.step_of(i), losses);
+    }
+    for (int i = begin; i < end; ++i) motion.drift(i, clock.dt);
+    clock.late(cell) += clock.dt;
+  }
+};
+
+template <class L>
+struct PredictCells {
+  Motion<L> motion;
+  ParticleSubset cells;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const { predict_cell(motion, cells.cell(k)); }
 };
 
 template <class L>
@@ -120,8 +169,18 @@ struct ClosingKick {
 
 }  // namespace detail
 
+/// Predicts what pairs read of the particles of some cells, beside their positions, to the present time.
+template <class L>
+void predict(const RunOf<L>& run, const ParticleSubset& cells) {
+  const Particles<L> state = run.state.template as<L>();
+  if (!state.clock.individual) return;
+  Kokkos::parallel_for("predict", Kokkos::RangePolicy<ExecutionSpace>(0, cells.cells(state.tree)),
+                       detail::PredictCells<L>{{state}, cells});
+}
+
 /// Opening kick over half a step of the particles whose step begins, drift of all, everything predicted to the drift's
-/// end; the support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt.
+/// end; the support follows the expansion: h^D n stays N_n / V_D while dn/dt = -n div v + dn/dh dh/dt. With steps of
+/// the particles' own only positions are; the rest waits until pairs read it (ActiveParticles).
 struct KickDrift {
   static constexpr const char* name = "kick and drift";
   static constexpr bool essential = true;
@@ -132,10 +191,17 @@ struct KickDrift {
   using Numbers = sphk::Numbers<motion>;
   template <class L>
   static void run(RunOf<L>& run) {
-    run.counts.losses = {};
-    Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, run.state.n),
-                            detail::KickAndDrift<L>{run.state.template as<L>()},
-                            Kokkos::Sum<LossCounts>(run.counts.losses));
+    const detail::Motion<L> particles{run.state.template as<L>()};
+    LossCounts losses;
+    const auto reduce = [&](int count, const auto& body) {
+      Kokkos::parallel_reduce(name, Kokkos::RangePolicy<ExecutionSpace>(0, count), body,
+                              Kokkos::Sum<LossCounts>(losses));
+    };
+    if (run.state.clock.individual)
+      reduce(run.state.tree.cells(), detail::KickAndDriftCell<L>{particles});
+    else
+      reduce(run.state.n, detail::KickAndDrift<L>{particles});
+    run.counts.losses = losses;
   }
 };
 

@@ -93,6 +93,7 @@ struct Schedule {
   double updates_since_sort = 1e300;
   Kokkos::View<int*, MemorySpace> caps;          ///< powers that neighbours allow; in the memory of the sort
   ParticleSubset capped[2];                      ///< whose caps are below their steps; by turns
+  ParticleSubset near;                           ///< cells from which pairs of active particles may read
   Kokkos::View<StepRange*, MemorySpace> ranges;  ///< of every node of the tree
 };
 

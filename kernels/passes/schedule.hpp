@@ -45,6 +45,32 @@ struct ListCells {
   }
 };
 
+/// Marks the cells from which pairs of the active particles of a cell may read, a fifth further than their supports
+/// reach as they are now.
+template <class L>
+struct MarkNear {
+  static constexpr int D = L::dimension;
+  Particles<L> state;
+  Kokkos::View<TargetMask*, MemorySpace> near;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int cell = state.active.cell(k);
+    Bounds<D> box = Bounds<D>::empty();
+    for_each_of(state.active.targets(state.tree, cell), cell * cell_size,
+                [&](int i) { box.include(point(state.columns, i)); });
+    walk(
+        state.tree, root(state.tree), box,
+        [&](const auto& h) {
+          using P = std::remove_cvref_t<decltype(h)>;
+          return P(1.2) * sphk::max(P(box.h_max), h);
+        },
+        [](int, const double*) {},
+        [&](int level, int node) {
+          if (level == 1) Kokkos::atomic_store(&near(node), TargetMask(1));
+          return level == 1;
+        });
+  }
+};
+
 /// The largest power-of-two step that a particle may take from `start`: not above what it asks for, and ending where
 /// steps of its length end.
 template <class L>
@@ -296,7 +322,7 @@ Ticks first_end(const Particles<L>& state, const Schedule& schedule) {
 }
 
 template <class L>
-long mark_active(Particles<L>& state, const Schedule& schedule) {
+long mark_active(Particles<L>& state, Schedule& schedule) {
   if (!state.clock.individual) return state.n;
   long count = 0;
   const int cells = state.tree.cells();
@@ -304,6 +330,12 @@ long mark_active(Particles<L>& state, const Schedule& schedule) {
                           detail::MarkActive<L>{state, schedule.ranges}, Kokkos::Sum<long>(count));
   detail::list_cells(state.active, cells);
   state.active.everyone = count == state.n;
+  ParticleSubset& near = schedule.near;
+  near.everyone = state.active.everyone;
+  if (near.everyone) return count;
+  Kokkos::deep_copy(ExecutionSpace(), near.masks, 0);
+  detail::for_cells("cells near the active particles", state.active.count, detail::MarkNear<L>{state, near.masks});
+  detail::list_cells(near, cells);
   return count;
 }
 

@@ -26,6 +26,18 @@ struct PullToCentre {
   }
 };
 
+/// The boxes of a cell and of its sub-cells.
+template <class L>
+struct FitCells {
+  Particles<L> state;
+  ParticleSubset cells;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int cell = cells.cell(k), last = min((cell + 1) * fan_out, state.tree.count(0));
+    for (int s = cell * fan_out; s < last; ++s) fit_sub_cell(state.tree, state.columns, s);
+    fit_node(state.tree, 1, cell);
+  }
+};
+
 struct FillRow {
   double* row;
   double value;
@@ -46,19 +58,24 @@ void fill_row(const Particles<L>& state, int row, double value) {
 }
 
 template <class L>
-void fit_cells(const Particles<L>& state) {
-  fit(state.tree, state.columns);
+void fit_cells(const Particles<L>& state, const ParticleSubset& cells) {
+  if (state.n == 0) return;
+  Kokkos::parallel_for("fit cells", Kokkos::RangePolicy<ExecutionSpace>(0, cells.cells(state.tree)),
+                       detail::FitCells<L>{state, cells});
+  fit_above(state.tree);
 }
 
 template <class L>
-void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& schedule, long step) {
-  fit_cells(state);
-  const auto all = bounds_of_all(state.tree);
+bool is_sort_due(const Particles<L>& state, const Schedule& schedule, long step) {
+  const bool due = state.clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n)
+                                          : step % sort_interval == 0;
+  return due || detail::strayed(state.tree.domain, bounds_of_all(state.tree));
+}
+
+template <class L>
+void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& schedule) {
   StepClock& clock = state.clock;
-  const bool due =
-      clock.individual ? schedule.updates_since_sort > sort_interval * double(state.n) : step % sort_interval == 0;
-  if (!due && !detail::strayed(state.tree.domain, all)) return;
-  sorter(state.columns.data, state.columns.stride, state.ids, state.tree.domain, all);
+  sorter(state.columns.data, state.columns.stride, state.ids, state.tree.domain, bounds_of_all(state.tree));
   if (clock.individual) {
     sorter.permute(clock.begin.data());
     sorter.permute(clock.end.data());
@@ -67,7 +84,7 @@ void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& sch
     schedule.updates_since_sort = 0;
     fit_ranges(state, schedule);
   }
-  fit_cells(state);
+  fit_cells(state, {});
 }
 
 }  // namespace sphk

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/passes/convergence_switch.hpp"
+#include "kernels/passes/kick_drift.hpp"
 #include "kernels/passes/mass_exchange.hpp"
 #include "kernels/passes/rates.hpp"
 #include "kernels/passes/run.hpp"
@@ -12,18 +13,24 @@ namespace sphk {
 /// Steps between two sorts; with steps of the particles' own, updates of each.
 inline constexpr int sort_interval = 10;
 
-/// Fits the boxes of the cells; every sort_interval steps, and when a particle strays half a period out of a periodic
-/// box, sorts the particles in space again and wraps them. Defined in sorted_cells.hpp.
+/// Whether the particles are to be sorted: every sort_interval steps, and when one strays half a period out of a
+/// periodic box. The cells must be fitted. This and the two that follow: defined in sorted_cells.hpp.
 template <class L>
-void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& schedule, long step);
+bool is_sort_due(const Particles<L>& state, const Schedule& schedule, long step);
 
-/// Fits the boxes of the cells to positions and supports. Defined in sorted_cells.hpp.
+/// Sorts the particles in space again, wraps them into a periodic box and fits the boxes of the cells, which must be
+/// fitted before as well.
 template <class L>
-void fit_cells(const Particles<L>& state);
+void sort_cells(Particles<L>& state, Sorter<L::dimension>& sorter, Schedule& schedule);
 
-/// Marks the particles whose steps end now, by cells, and counts them. This and the following: in schedule.hpp.
+/// Fits the boxes of some cells to positions and supports, and those of the nodes above.
 template <class L>
-long mark_active(Particles<L>& state, const Schedule& schedule);
+void fit_cells(const Particles<L>& state, const ParticleSubset& cells);
+
+/// Marks the particles whose steps end now, by cells, and the cells near them, and counts them. This and the following:
+/// in schedule.hpp.
+template <class L>
+long mark_active(Particles<L>& state, Schedule& schedule);
 
 /// Gives the active particles steps that begin at `start`, and keeps neighbours within a factor 4 of each other.
 template <class L>
@@ -70,20 +77,24 @@ struct SortedCells {
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {
-    sort_cells(run.state, run.sorter, run.schedule, run.step);
+    fit_cells(run.state, {});
+    if (!is_sort_due(run.state, run.schedule, run.step)) return;
+    predict<L>(run, {});
+    sort_cells(run.state, run.sorter, run.schedule);
   }
 };
 
-/// The particles whose steps end now.
+/// The particles whose steps end now, and what their pairs read of those whose steps do not.
 struct ActiveParticles {
   static constexpr const char* name = "active particles";
   static constexpr bool essential = true;
-  using Reads = List<>;
+  using Reads = List<Position, Support>;
   using Writes = List<>;
   template <class L>
   static void run(RunOf<L>& run) {
     run.active_count = mark_active(run.state, run.schedule);
     run.schedule.updates_since_sort += static_cast<double>(run.active_count);
+    predict<L>(run, run.schedule.near);
   }
 };
 
@@ -105,7 +116,7 @@ struct SmoothingLength {
       run.counts.searches = find_support_apart(state, run.given, run.accept);
     else
       run.counts.searches = find_support(state, run.given, run.accept);
-    fit_cells(run.state);
+    fit_cells(run.state, run.schedule.near);
   }
 };
 

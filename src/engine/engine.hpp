@@ -76,6 +76,7 @@ class Engine final : public Simulation {
       Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
       fit_ranges(run_.state, run_.schedule);
     }
+    passes_->predict(run_);
     clock.dt = 0;
     run_.state.active.everyone = true;
     const Energies u = energies_at(run_, run_.state.state_density_row);
@@ -105,6 +106,7 @@ class Engine final : public Simulation {
   }
 
   Snapshot view() const override {
+    passes_->predict(run_);
     Snapshot view = view_of(run_.state, facts_, origin_, run_.time, run_.step);
     if (!tags_.empty()) {
       view.fields.push_back(phase_tags({}));
@@ -121,7 +123,10 @@ class Engine final : public Simulation {
     return passes_->rates(run_, split);
   }
 
-  std::vector<Field> errors() const override { return passes_->errors(run_.state); }
+  std::vector<Field> errors() const override {
+    passes_->predict(run_);
+    return passes_->errors(run_.state);
+  }
 
   void save(const TakeBlock& take) const override {
     StateWriter writer(take);
@@ -165,6 +170,7 @@ class Engine final : public Simulation {
       archive("begins", clock.begin);
       archive("ends", clock.end);
       archive("powers", clock.power);
+      archive("late", clock.late);
       archive("active_masks", run.state.active.masks);
     }
     archive("start", self.start_);
@@ -256,7 +262,7 @@ class Engine final : public Simulation {
 
   std::unique_ptr<SchemePasses<L>> passes_;
   const CompiledFacts& facts_;
-  Run<L> run_;
+  mutable Run<L> run_;  ///< sleeping particles are predicted when they are looked at
   Box origin_;
   std::vector<int> tags_;  ///< by id, as snapshots are sorted
   double steps_accept_, max_dt_;
@@ -280,8 +286,9 @@ std::unique_ptr<Simulation> make_run(const ParticleSet& particles, const Simulat
 /// All that is compiled of a run for base layout L, passes included.
 template <class L>
 constexpr auto compiled_run() {
-  return std::tuple{&make_run<L>, &load_run<L>,  &sort_cells<L>, &fit_cells<L>, &mark_active<L>,   &assign_steps<L>,
-                    &wake_all<L>, &first_end<L>, &fit_ranges<L>, &fill_row<L>,  &pull_to_centre<L>};
+  return std::tuple{&make_run<L>,    &load_run<L>,    &sort_cells<L>,   &fit_cells<L>,
+                    &mark_active<L>, &is_sort_due<L>, &assign_steps<L>, &wake_all<L>,
+                    &first_end<L>,   &fit_ranges<L>,  &fill_row<L>,     &pull_to_centre<L>};
 }
 
 }  // namespace sphk

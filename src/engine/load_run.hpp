@@ -88,6 +88,9 @@ void allow_individual_steps(Run<L>& run, const SimulationSettings& settings) {
   state.active = subset("active particles");
   state.active.everyone = true;
   for (ParticleSubset& capped : schedule.capped) capped = subset("capped particles");
+  schedule.near = subset("near cells");
+  schedule.near.everyone = true;
+  state.clock.late = Kokkos::View<double*, MemorySpace>("late cells", state.tree.cells());
   schedule.ranges = Kokkos::View<StepRange*, MemorySpace>("ranges of steps", state.tree.first[state.tree.levels]);
   schedule.limiter = settings.step_limiter;
   if (settings.max_dt > 0) schedule.longest = settings.max_dt;
@@ -122,7 +125,8 @@ Run<L> load_run(const ParticleSet& given, const SimulationSettings& settings, co
   run.state.central = CentralMass(run.given);
   run.state.clock.mobility = run.given[motion];
   if (has_own_steps(settings)) detail::allow_individual_steps(run, settings);
-  sort_cells(run.state, run.sorter, run.schedule, run.step);
+  fit_cells(run.state, {});
+  sort_cells(run.state, run.sorter, run.schedule);
   const Kokkos::RangePolicy<ExecutionSpace> all(0, n);
   Kokkos::parallel_for("guess support", all,
                        detail::GuessSupport<L>{run.state, length * support_of_even_gas(given, settings)});

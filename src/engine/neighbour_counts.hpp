@@ -51,7 +51,8 @@ template <class L>
 void count_neighbours(const Run<L>& run, StepReport& report) {
   const Particles<L>& particles = run.state;
   const CountColumns<L::dimension> counts(idle_row(run), particles.columns.stride);
-  const State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
+  State<detail::Counting<L>> state{particles, Smoothing<Johnson, L::dimension>(Johnson{})};
+  state.active = {};
   add_pair_sums("neighbour counts", state, TermSet<NeighbourCountSum>(Given{}), counts);
   detail::CountRange range;
   Kokkos::parallel_reduce("neighbour counts", Kokkos::RangePolicy<ExecutionSpace>(0, particles.n),

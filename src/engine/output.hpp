@@ -13,9 +13,9 @@ inline constexpr double bytes_per_particle = sizeof(double) * Particles<L>::Colu
                                              sizeof(Bounds<L::dimension>) * (1.0 / 7);
 
 /// What steps of the particles' own take beside it: begins, ends, powers and the memory of sorts; ranges of the nodes,
-/// three subsets.
-inline constexpr double bytes_of_own_steps =
-    2 * sizeof(Ticks) + 1 + RadixSort::rows * sizeof(double) + sizeof(StepRange) * (1.0 / 7) + 3 * 12.0 / cell_size;
+/// four subsets, how late cells are.
+inline constexpr double bytes_of_own_steps = 2 * sizeof(Ticks) + 1 + RadixSort::rows * sizeof(double) +
+                                             sizeof(StepRange) * (1.0 / 7) + (4 * 12.0 + 8) / cell_size;
 
 /// Flops of one pair inside the support, loop by loop: distance, smoothing kernels, terms.
 inline constexpr int flops_of_distance(int dimension) {

@@ -129,6 +129,8 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
     if (!over_pairs) run_particle_pass<R, L>(pass, run);
   }
 
+  void predict(const RunOf<L>& run) const override { sphk::predict<L>(run, {}); }
+
   std::vector<Field> rates(const RunOf<L>& run, bool split) const override {
     if constexpr (is_complete<R>) {
       std::vector<Field> fields = rates_of_recipe<R, L>(run, this->facts.fields, seldom_, split);

@@ -40,6 +40,8 @@ class SchemePasses {
   explicit SchemePasses(CompiledFacts of) : facts(std::move(of)) {}
   virtual ~SchemePasses() = default;
   virtual void run(int pass, Run<L>& run) const = 0;
+  /// Predicts all of sleeping particles to the present time, where until now only their positions were.
+  virtual void predict(const Run<L>& run) const = 0;
   /// One right-hand side, as `sphk rates` writes it; the passes have just been run.
   virtual std::vector<Field> rates(const Run<L>& run, bool split) const = 0;
   /// What Simulation::errors gives.

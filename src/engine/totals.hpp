@@ -37,9 +37,14 @@ struct SumTotals {
   KOKKOS_INLINE_FUNCTION void operator()(int i, TotalsSum& sum) const {
     constexpr int D = L::dimension;
     const double gamma = state.parameters.gamma, m = state.template at<Mass>(i), rho = state.state_density(i);
-    const double P = L::ThermalForm::pressure(state.template at<Thermal>(i), rho, gamma);
+    const double late = state.clock.late_of(i / cell_size), moved = late * state.clock.mobility;
+    const double P =
+        L::ThermalForm::pressure(state.template at<Thermal>(i) + late * state.template at<Heating>(i), rho, gamma);
     double x[3] = {0, 0, 0}, v[3] = {0, 0, 0};
-    for (int d = 0; d < D; ++d) x[d] = state.template at<Position>(i, d), v[d] = state.template at<Velocity>(i, d);
+    for (int d = 0; d < D; ++d) {
+      x[d] = state.template at<Position>(i, d);
+      v[d] = state.template at<Velocity>(i, d) + moved * state.template at<Acceleration>(i, d);
+    }
     const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     TotalsSum one;
     one.mass = m;

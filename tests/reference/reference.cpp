@@ -47,6 +47,7 @@ class Reference final : public SchemePasses<BaseLayout<typename Tiled::Layout>> 
         P::template run<L>(run);
     });
   }
+  void predict(const RunOf<L>& run) const override { sphk::predict<L>(run, {}); }
   std::vector<Field> rates(const RunOf<L>&, bool) const override { return {}; }
   std::vector<Field> errors(const Particles<Base>&) const override { return {}; }
 
