@@ -13,9 +13,15 @@ function(sphk_native_macros out)
   set(${out} ${hash} PARENT_SCOPE)
 endfunction()
 
-# Kokkos' own options that the user or a preset set, as -D arguments, and the defaults beside them.
+# Kokkos' own options that the user or a preset set, as -D arguments, and the defaults beside them. For another machine,
+# whose processor the compiler cannot ask, the toolchain says how.
 function(sphk_kokkos_options out)
-  set(options -DKokkos_ENABLE_SERIAL=ON -DKokkos_ARCH_NATIVE=ON)
+  set(options -DKokkos_ENABLE_SERIAL=ON)
+  if(CMAKE_CROSSCOMPILING)
+    list(APPEND options "-DCMAKE_TOOLCHAIN_FILE=${CMAKE_TOOLCHAIN_FILE}")
+  else()
+    list(APPEND options -DKokkos_ARCH_NATIVE=ON)
+  endif()
   get_cmake_property(names CACHE_VARIABLES)
   list(FILTER names INCLUDE REGEX "^Kokkos_(ENABLE|ARCH)_")
   foreach(name IN LISTS names)

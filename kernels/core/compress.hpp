@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cstdint>
 
 #include "kernels/core/simd.hpp"
 
@@ -26,33 +27,63 @@ inline unsigned mask_bits(const M& mask) {
     return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(mask)));
 #endif
 }
+#elif defined(__ARM_NEON)
+inline unsigned mask_bits(const simd<float, 4>::mask_type& mask) {
+  constexpr uint32x4_t bits = {1, 2, 4, 8};
+  return vaddvq_u32(vandq_u32(static_cast<uint32x4_t>(mask), bits));
+}
+inline unsigned mask_bits(const simd<double, 2>::mask_type& mask) {
+  constexpr uint64x2_t bits = {1, 2};
+  return static_cast<unsigned>(vaddvq_u64(vandq_u64(static_cast<uint64x2_t>(mask), bits)));
+}
 #endif
+template <class T, int W>
+inline unsigned mask_bits(const stdx::basic_simd_mask<T, VectorAbi<W>>& mask) {
+#ifdef __SSE2__
+  using Mask = stdx::basic_simd_mask<T, VectorAbi<W>>;
+  const auto numbers = (typename Mask::Numbers) static_cast<typename Mask::Vector>(mask);
+  if constexpr (W == 4)
+    return static_cast<unsigned>(__builtin_ia32_movmskps(numbers));
+  else
+    return static_cast<unsigned>(__builtin_ia32_movmskpd(numbers));
+#else
+  unsigned bits = 0;
+  for (int lane = 0; lane < W; ++lane) bits |= unsigned(mask[static_cast<std::size_t>(lane)]) << lane;
+  return bits;
+#endif
+}
 
 /// The number of the lowest bit of a mask that has one.
 KOKKOS_FORCEINLINE_FUNCTION int lowest_bit(unsigned bits) {
   return Kokkos::countr_zero(bits);
 }
 
-#if defined(KOKKOS_ARCH_AVX2) && !defined(KOKKOS_ARCH_AVX512XEON)
 namespace detail {
-/// For every mask of `lanes` lanes of `words` 32-bit words each: the words of the chosen lanes in order, then anything.
-template <int lanes, int words>
+/// For every mask of `lanes` lanes of a register of `pieces` pieces: the pieces of the chosen lanes in order, then
+/// anything.
+template <class Piece, int pieces, int lanes>
 constexpr auto compress_orders() {
-  std::array<std::array<int, 8>, 1 << lanes> orders{};
+  constexpr int each = pieces / lanes;
+  std::array<std::array<Piece, pieces>, 1 << lanes> orders{};
   for (int mask = 0; mask < 1 << lanes; ++mask) {
     int to = 0;
     for (int lane = 0; lane < lanes; ++lane)
-      for (int word = 0; word < words && (mask >> lane & 1); ++word) orders[mask][to++] = lane * words + word;
+      for (int piece = 0; piece < each && (mask >> lane & 1); ++piece)
+        orders[mask][to++] = static_cast<Piece>(lane * each + piece);
   }
   return orders;
 }
-alignas(64) inline constexpr auto compress_floats = compress_orders<8, 1>();
-alignas(64) inline constexpr auto compress_doubles = compress_orders<4, 2>();
-}  // namespace detail
+#if defined(KOKKOS_ARCH_AVX2) && !defined(KOKKOS_ARCH_AVX512XEON)
+alignas(64) inline constexpr auto compress_floats = compress_orders<int, 8, 8>();
+alignas(64) inline constexpr auto compress_doubles = compress_orders<int, 8, 4>();
+#elif defined(__ARM_NEON)
+template <int lanes>
+alignas(64) inline constexpr auto compress_bytes = compress_orders<std::uint8_t, 16, lanes>();
 #endif
+}  // namespace detail
 
-/// Moves the chosen lanes of packs to the front, in order. Made once for a mask and used for many packs. A store writes
-/// all lanes of a pack: what follows the chosen ones is to be overwritten.
+/// Moves the chosen lanes of packs to the front, in order. Made once for a mask and used for many packs. A store may
+/// write all lanes of a pack: what follows the chosen ones is to be overwritten.
 template <class P>
 class Compress {
  public:
@@ -97,6 +128,43 @@ class Compress {
   }
   __m256i order_{};
 #endif
+};
+
+#if defined(__ARM_NEON)
+template <class T, int W>
+class Compress<stdx::basic_simd<T, stdx::simd_abi::neon_fixed_size<W>>> {
+ public:
+  explicit Compress(unsigned bits) : bits_(bits), order_(vld1q_u8(detail::compress_bytes<W>[bits].data())) {}
+  int count() const { return std::popcount(bits_); }
+  void store(float* to, const simd<float, 4>& a) const {
+    vst1q_f32(to, vreinterpretq_f32_u8(chosen(vreinterpretq_u8_f32(static_cast<float32x4_t>(a)))));
+  }
+  void store(double* to, const simd<double, 2>& a) const {
+    vst1q_f64(to, vreinterpretq_f64_u8(chosen(vreinterpretq_u8_f64(static_cast<float64x2_t>(a)))));
+  }
+
+ private:
+  uint8x16_t chosen(uint8x16_t bytes) const { return vqtbl1q_u8(bytes, order_); }
+  unsigned bits_;
+  uint8x16_t order_;
+};
+#endif
+
+template <class T, int W>
+class Compress<stdx::basic_simd<T, VectorAbi<W>>> {
+ public:
+  explicit Compress(unsigned bits) : bits_(bits) {}
+  int count() const { return std::popcount(bits_); }
+  /// Lane after lane, the next over what was not chosen: no branches.
+  void store(T* to, const stdx::basic_simd<T, VectorAbi<W>>& a) const {
+    for (int lane = 0; lane < W; ++lane) {
+      *to = a[static_cast<std::size_t>(lane)];
+      to += bits_ >> lane & 1;
+    }
+  }
+
+ private:
+  unsigned bits_;
 };
 
 }  // namespace sphk

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Kokkos_Core.hpp>
-#include <Kokkos_SIMD.hpp>
 #include <type_traits>
+
+#include "kernels/core/vector_pack.hpp"
 
 /// Behind the parameters of a lambda: compilers leave bodies of loops that are called from two places out of line, and
 /// pass packs through memory.
@@ -10,25 +10,28 @@
 
 namespace sphk {
 
-namespace stdx = Kokkos::Experimental;
-
-/// Lanes of T that one vector register of the host holds; 1 where Kokkos has no packs for it.
+/// The host's vector registers: the bytes of one, 0 where there are no packs for it, and how many they are.
 #if defined(KOKKOS_ARCH_AVX512XEON)
-template <class T>
-inline constexpr int native_lanes = 64 / static_cast<int>(sizeof(T));
+inline constexpr int register_bytes = 64, host_registers = 32;
 template <class T, int W>
 using PackAbi = stdx::simd_abi::avx512_fixed_size<W>;
 #elif defined(KOKKOS_ARCH_AVX2)
-template <class T>
-inline constexpr int native_lanes = 32 / static_cast<int>(sizeof(T));
+inline constexpr int register_bytes = 32, host_registers = 16;
 template <class T, int W>
 using PackAbi = stdx::simd_abi::avx2_fixed_size<W>;
-#else
-template <class T>
-inline constexpr int native_lanes = 1;
+#elif defined(KOKKOS_ARCH_ARM_NEON) || defined(KOKKOS_ARCH_ARM_SVE)  // a host with SVE has NEON
+inline constexpr int register_bytes = 16, host_registers = 32;
 template <class T, int W>
-using PackAbi = stdx::simd_abi::scalar;
+using PackAbi = stdx::simd_abi::neon_fixed_size<W>;
+#else
+inline constexpr int register_bytes = vector_pack_bytes, host_registers = 16;
+template <class T, int W>
+using PackAbi = VectorAbi<W>;
 #endif
+
+/// Lanes of T that one register of the host holds; 1 where there are no packs for it.
+template <class T>
+inline constexpr int native_lanes = register_bytes == 0 ? 1 : register_bytes / static_cast<int>(sizeof(T));
 
 namespace detail {
 template <class T, int W>

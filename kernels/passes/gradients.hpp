@@ -28,7 +28,7 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
   /// Smallest pivot, relative to its diagonal, that is more than the rounding of the sums.
   static constexpr double degenerate = std::is_same_v<T, float> ? 1e-5 : 1e-12;
   /// Accumulators that stay in registers beside what a term needs.
-  static constexpr int block = native_lanes<T> * sizeof(T) == 64 ? 24 : 12;
+  static constexpr int block = host_registers == 32 ? 24 : 12;
 
   explicit FitVelocity(const State<S>& of) : Base{of} {}
 

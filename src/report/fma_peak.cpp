@@ -16,9 +16,9 @@ constexpr bool on_host = std::is_same_v<Space::memory_space, Kokkos::HostSpace>;
 template <class T>
 constexpr int width = on_host ? native_lanes<T> : 1;
 
-/// 12 independent chains: more than latency (4 cycles) times throughput (2 a cycle) of any CPU of today, and few enough
-/// to stay in 16 registers.
-constexpr int chains = 12;
+/// Independent chains: more than latency (4 cycles) times throughput (2 a cycle of CPUs with 16 registers, up to 4 of
+/// those with 32), and few enough to stay in registers.
+constexpr int chains = host_registers == 32 ? 24 : 12;
 constexpr int repeats = 16;
 
 /// Each chain turns x into a x + b, `length` times. With a < 1 the numbers converge: neither overflow nor denormals
@@ -30,8 +30,8 @@ KOKKOS_FUNCTION double chains_of_fma(int seed, long length) {
   for (int k = 0; k < chains; ++k) x[k] = Register(T(seed + k));
   const Register a(T(0.75)), b(T(0.5));
   for (long i = 0; i < length; ++i) {
-#pragma GCC unroll 12
-    for (int k = 0; k < chains; ++k) x[k] = Kokkos::fma(x[k], a, b);
+#pragma GCC unroll 24
+    for (int k = 0; k < chains; ++k) x[k] = x[k] * a + b;  // one operation where the CPU has it, else two
   }
   double sum = 0;
   for (int k = 0; k < chains; ++k) sum += static_cast<double>(sum_lanes(x[k]));

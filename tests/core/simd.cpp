@@ -28,7 +28,11 @@ struct Packs : testing::Test {
   }
 };
 
-using PackTypes = testing::Types<float, double, simd<float, native_lanes<float>>, simd<double, native_lanes<double>>>;
+template <class T>
+using VectorPack = stdx::basic_simd<T, VectorAbi<16 / sizeof(T)>>;  // where Kokkos has none, but they work anywhere
+
+using PackTypes = testing::Types<float, double, simd<float, native_lanes<float>>, simd<double, native_lanes<double>>,
+                                 VectorPack<float>, VectorPack<double>>;
 TYPED_TEST_SUITE(Packs, PackTypes);
 
 TYPED_TEST(Packs, OperationsActOnEachLane) {
