@@ -85,7 +85,7 @@ class TiledCell {
         const int first = s * sub_cell_size;
         const TargetMask targets = targets_of(first, sub_cell_size);
         if (targets == 0) continue;
-        const bool own = !select(s, sub_bounds(s).h_max) && targets != targets_, lists = listed || own;
+        const bool lists = !select(s, sub_bounds(s).h_max) || listed;
         const int count = candidates_.count, block = lists ? CellTile::capacity : block_size;
         if (count == 0) continue;
         for (int from = 0; from < count; from += block)
@@ -108,10 +108,12 @@ class TiledCell {
   }
 
   /// Makes candidates those of the collected ones that come within `reach` of the sub-cell's targets; for one or two
-  /// targets that does not pay, and all collected ones stay candidates. Tells which.
+  /// targets that does not pay, and all collected ones stay candidates. Tells whether they are no more than those near
+  /// the sub-cell's targets.
   bool select(int sub_cell, double reach) {
     candidates_ = near_;
-    if (std::popcount(targets_of(sub_cell * sub_cell_size, sub_cell_size)) <= 2) return false;
+    const TargetMask targets = targets_of(sub_cell * sub_cell_size, sub_cell_size);
+    if (std::popcount(targets) <= 2) return targets << (sub_cell * sub_cell_size - begin()) == targets_;
     const Bounds<D>& b = sub_bounds(sub_cell);
     T centre[D], half[D];
     for (int d = 0; d < D; ++d) {

@@ -29,6 +29,8 @@ struct PairLoop {
   using Walk = ThreadWalk<T, D, Fields, mode, Columns>;
   using TargetFields = Union<List<Position, InverseSupport>, Fields>;
 
+  static constexpr int few_targets = 4;
+
   State<S> state;
 
   KOKKOS_INLINE_FUNCTION Sources<Columns> sources() const { return {state.tree, state.columns}; }
@@ -40,14 +42,15 @@ struct PairLoop {
     return state.parameters.neighbours < 150;
   }
 
-  /// Calls f(cell) for a cell: once for all of its targets, or for one after the other where the cell is too wide for
-  /// that, in space or in velocities. `scratch`: Cell::scratch_bytes() of memory.
+  /// Calls f(cell) for a cell: once for all of its targets, or for one after the other where they are few, whose
+  /// neighbours have little in common, or the cell is too wide for that, in space or in velocities. `scratch`:
+  /// Cell::scratch_bytes() of memory.
   template <class F>
   void for_targets_of(int number, void* scratch, F&& f) const {
     const TargetMask targets = state.active.targets(state.tree, number);
-    const bool wide = is_wide(number) || is_torn(number);
-    for (TargetMask left = targets; left != 0; left = wide ? left & (left - 1) : 0) {
-      Cell cell(scratch, state.tree, state.columns, number, wide ? left & (~left + 1) : left, sources());
+    const bool apart = std::popcount(targets) <= few_targets || is_wide(number) || is_torn(number);
+    for (TargetMask left = targets; left != 0; left = apart ? left & (left - 1) : 0) {
+      Cell cell(scratch, state.tree, state.columns, number, apart ? left & (~left + 1) : left, sources());
       f(cell);
     }
   }

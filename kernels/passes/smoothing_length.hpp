@@ -165,21 +165,20 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
       if (!tasks[i - base].done) reach = max(reach, tasks[i - base].search.h);
     if (reach == 0) return;
     reach = whole_reach > 0 ? min(1.02 * reach, whole_reach) : reach;
-    cell.select(sub_cell, reach);
+    const bool listed = !cell.select(sub_cell, reach) || Base::lists_pay() || Terms::List::size > 0;
     for (int i = from; i < to; ++i) {
       Task& task = tasks[i - base];
       if (task.done) continue;
       if (whole_reach > 0)
-        follow(cell, i, reach, task, counts);
+        follow(cell, i, reach, listed, task, counts);
       else
         add_share(cell, i, task);
     }
   }
 
   /// Searches as far as the candidates reach; neighbours that are listed for one trial serve those near it as well.
-  void follow(Cell& cell, int i, double reach, Task& task, SupportCounts& counts) const {
+  void follow(Cell& cell, int i, double reach, bool listed, Task& task, SupportCounts& counts) const {
     auto target = Base::target_of(cell, i);
-    const bool listed = Base::lists_pay() || Terms::List::size > 0;  // the terms read more of each
     const auto& tile = listed ? cell.neighbours() : cell.candidates();
     double reached = listed ? 0 : reach;
     const auto reach_for = [&](double h) {

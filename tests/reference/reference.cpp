@@ -100,9 +100,8 @@ void compare(const char* kernel, double neighbours) {
   const std::size_t n = gas.size();
   if constexpr (contains<double, typename detail::PairNumbersOf<R>::type>) {
     const SavedState tiles = make_simulation(gas, settings)->save();
-    for_each_type(typename S::Fields{}, [&]<class F>() {
-      EXPECT_LT((difference<S, F>(reference, tiles, n)), 1e-12) << F::facts.name;
-    });
+    for_each_type(typename S::Fields{},
+                  [&]<class F>() { EXPECT_LT((difference<S, F>(reference, tiles, n)), 1e-12) << F::facts.name; });
   }
   settings.precision = "mixed";
   const SavedState mixed = make_simulation(gas, settings)->save();
@@ -112,7 +111,11 @@ void compare(const char* kernel, double neighbours) {
 template <class Facts, class... R>
 void compare_recipes(List<R...>) {
   const auto one = [&]<class Recipe>() {
-    if constexpr (is_complete<Recipe>) compare<Facts, Recipe, Tabulated>("wc4", 60);
+    using Kernels = typename Recipe::Kernels::template in<3>;
+    if constexpr (is_complete<Recipe> && contains<Tabulated, Kernels>)
+      compare<Facts, Recipe, Tabulated>("wc4", 60);
+    else if constexpr (is_complete<Recipe>)
+      compare<Facts, Recipe, CubicSpline>("cs", 48);
   };
   (one.template operator()<R>(), ...);
 }
