@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <iterator>
 
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
@@ -122,6 +121,7 @@ hid_t access_to(Target& target) {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   Target* const address = &target;
   H5Pset_driver(access, registered, &address);
+  H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);  // nothing of the file outlives it, and so the target
   return access;
 }
 

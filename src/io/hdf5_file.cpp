@@ -318,7 +318,7 @@ double File::bytes() const {
   return static_cast<double>(size);
 }
 
-std::size_t File::finish(const NewFile& file) {
+std::size_t File::finish(const NewFile& file) const {
   const double size = bytes();
   const Target& target = output_->target;
   if (target.error != 0) file.fail(size, target.error);
@@ -326,12 +326,12 @@ std::size_t File::finish(const NewFile& file) {
   return static_cast<std::size_t>(size);
 }
 
-void File::save() {
+void File::save() const {
   finish(*output_->disk);
   output_->disk->complete();
 }
 
-void File::save(const std::filesystem::path& path) {
+void File::save(const std::filesystem::path& path) const {
   NewFile copy(path);
   const auto size = static_cast<off_t>(finish(copy));
   for (off_t moved = 0; moved < size;)  // sendfile counts on

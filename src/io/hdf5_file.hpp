@@ -179,9 +179,9 @@ class File : public Group {
   ~File();
   double bytes() const;
   /// The file is complete: it replaces the one of its name, all or nothing. Throws InputError.
-  void save();
+  void save() const;
   /// Writes a file without a name to `path`, all or nothing; errors as for write_atomically.
-  void save(const std::filesystem::path& path);
+  void save(const std::filesystem::path& path) const;
 
  private:
   struct Output;
@@ -189,7 +189,7 @@ class File : public Group {
   static File created(const std::string& name, std::unique_ptr<Output> output);
   static File in_memory(bool drops_values);
   /// Everything is handed over to the system; the size of the file. Throws InputError where that failed.
-  std::size_t finish(const NewFile& file);
+  std::size_t finish(const NewFile& file) const;
 
   std::unique_ptr<Output> output_;  ///< of a new file
 };
