@@ -1,6 +1,6 @@
 # cmake --toolchain cmake/aarch64-linux-gnu.cmake -B build/aarch64    For 64-bit ARM with NEON, on a machine of another kind,
 # with Debian's cross compiler (g++-aarch64-linux-gnu); tests run under qemu-user, where that is installed. The libraries
-# are those of the machine, installed for arm64, or of the folder that the environment's SPHK_SYSROOT names, which
+# are those of the machine, installed for arm64, or of the folder that SPHK_SYSROOT (-D or environment) names, which
 #   mmdebstrap --variant=extract --architectures=arm64 --include=PACKAGES bookworm FOLDER
 # fills (tests/setup/arm64.sh has the packages and makes its links relative). Another processor than ARMv8.0: add
 # -DKokkos_ARCH_ARMV80=OFF -DKokkos_ARCH_ARMV84=ON (the names are Kokkos' own).
@@ -10,9 +10,14 @@ set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 set(Kokkos_ARCH_ARMV80 ON CACHE BOOL "CPU architecture")
 
+# The environment takes it to the checks of the compiler and to the build of Kokkos, the cache to the next configuration.
+if(SPHK_SYSROOT)
+  set(ENV{SPHK_SYSROOT} "${SPHK_SYSROOT}")
+endif()
+set(SPHK_SYSROOT "$ENV{SPHK_SYSROOT}" CACHE PATH "Folder with the libraries for arm64")
 set(sphk_loader /usr/aarch64-linux-gnu)
-if(DEFINED ENV{SPHK_SYSROOT})
-  set(CMAKE_SYSROOT "$ENV{SPHK_SYSROOT}")
+if(SPHK_SYSROOT)
+  set(CMAKE_SYSROOT "${SPHK_SYSROOT}")
   set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
   set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
   set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)

@@ -27,7 +27,7 @@ inline unsigned mask_bits(const M& mask) {
     return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(mask)));
 #endif
 }
-#elif defined(__ARM_NEON)
+#elif defined(KOKKOS_ARCH_ARM_NEON) || defined(KOKKOS_ARCH_ARM_SVE)
 inline unsigned mask_bits(const simd<float, 4>::mask_type& mask) {
   constexpr uint32x4_t bits = {1, 2, 4, 8};
   return vaddvq_u32(vandq_u32(static_cast<uint32x4_t>(mask), bits));
@@ -37,6 +37,7 @@ inline unsigned mask_bits(const simd<double, 2>::mask_type& mask) {
   return static_cast<unsigned>(vaddvq_u64(vandq_u64(static_cast<uint64x2_t>(mask), bits)));
 }
 #endif
+#ifdef SPHK_VECTOR_PACKS
 template <class T, int W>
 inline unsigned mask_bits(const stdx::basic_simd_mask<T, VectorAbi<W>>& mask) {
 #ifdef __SSE2__
@@ -52,6 +53,7 @@ inline unsigned mask_bits(const stdx::basic_simd_mask<T, VectorAbi<W>>& mask) {
   return bits;
 #endif
 }
+#endif
 
 /// The number of the lowest bit of a mask that has one.
 KOKKOS_FORCEINLINE_FUNCTION int lowest_bit(unsigned bits) {
@@ -76,7 +78,7 @@ constexpr auto compress_orders() {
 #if defined(KOKKOS_ARCH_AVX2) && !defined(KOKKOS_ARCH_AVX512XEON)
 alignas(64) inline constexpr auto compress_floats = compress_orders<int, 8, 8>();
 alignas(64) inline constexpr auto compress_doubles = compress_orders<int, 8, 4>();
-#elif defined(__ARM_NEON)
+#elif defined(KOKKOS_ARCH_ARM_NEON) || defined(KOKKOS_ARCH_ARM_SVE)
 template <int lanes>
 alignas(64) inline constexpr auto compress_bytes = compress_orders<std::uint8_t, 16, lanes>();
 #endif
@@ -130,7 +132,7 @@ class Compress {
 #endif
 };
 
-#if defined(__ARM_NEON)
+#if defined(KOKKOS_ARCH_ARM_NEON) || defined(KOKKOS_ARCH_ARM_SVE)
 template <class T, int W>
 class Compress<stdx::basic_simd<T, stdx::simd_abi::neon_fixed_size<W>>> {
  public:
@@ -150,6 +152,7 @@ class Compress<stdx::basic_simd<T, stdx::simd_abi::neon_fixed_size<W>>> {
 };
 #endif
 
+#ifdef SPHK_VECTOR_PACKS
 template <class T, int W>
 class Compress<stdx::basic_simd<T, VectorAbi<W>>> {
  public:
@@ -166,5 +169,6 @@ class Compress<stdx::basic_simd<T, VectorAbi<W>>> {
  private:
   unsigned bits_;
 };
+#endif
 
 }  // namespace sphk

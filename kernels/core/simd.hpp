@@ -23,8 +23,12 @@ using PackAbi = stdx::simd_abi::avx2_fixed_size<W>;
 inline constexpr int register_bytes = 16, host_registers = 32;
 template <class T, int W>
 using PackAbi = stdx::simd_abi::neon_fixed_size<W>;
+#elif defined(SPHK_VECTOR_PACKS) && (defined(__SSE2__) || defined(__VSX__) || defined(__ARM_NEON))
+inline constexpr int register_bytes = 16, host_registers = 16;
+template <class T, int W>
+using PackAbi = VectorAbi<W>;
 #else
-inline constexpr int register_bytes = vector_pack_bytes, host_registers = 16;
+inline constexpr int register_bytes = 0, host_registers = 16;
 template <class T, int W>
 using PackAbi = VectorAbi<W>;
 #endif

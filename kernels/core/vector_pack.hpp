@@ -13,17 +13,11 @@ namespace stdx = Kokkos::Experimental;
 template <int W>
 struct VectorAbi {};
 
-/// The bytes of such a pack: those of the vector registers which every x86-64 (SSE2) and newer POWER (VSX) has; 0 where
-/// there may be none, and where nvcc compiles, which is not asked to know such vectors.
-#if (defined(__SSE2__) || defined(__VSX__)) && !defined(__NVCC__)
-inline constexpr int vector_pack_bytes = 16;
-#else
-inline constexpr int vector_pack_bytes = 0;
-#endif
-
 }  // namespace sphk
 
-#ifndef __NVCC__
+// Builds for GPUs, whose compilers need not know such vectors, have none.
+#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+#define SPHK_VECTOR_PACKS
 
 // As much of Kokkos' interface as simd.hpp and what Kokkos builds on it (a + 1, a += b, sqrt) ask for.
 namespace Kokkos::Experimental {
