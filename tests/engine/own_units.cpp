@@ -114,7 +114,7 @@ TEST_F(OwnUnits, AStateGoesOnInTheUnitsThatItHad) {
   const SavedState saved = run->save();
   ParticleSet stretched = gas;
   for (Array3& v : stretched.v) v[0] *= 100;  // its own units would be others
-  s.own_units = scale_of(saved);
+  s.own_units = scale_of([&](const std::string& name) { return saved.at(name); });
   const auto resumed = make_simulation(stretched, s);
   resumed->restore(saved);
   EXPECT_EQ(resumed->snapshot().field("Coordinates").values, run->snapshot().field("Coordinates").values);
