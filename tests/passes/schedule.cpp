@@ -182,6 +182,40 @@ TEST_F(SleepersTest, ANeighbourIsWokenAtOnce) {
   EXPECT_TRUE(some_sleep);
 }
 
+/// All positions drift; velocities, of which pairs read those near the hot particle alone, wait elsewhere.
+TEST_F(SleepersTest, WhatPairsReadIsPredicted) {
+  auto& state = run.state;
+  StepClock& clock = state.clock;
+  const Ticks now = asked;
+  let_sleep(StepClock::block_bits, now);
+  clock.now = 0;
+  clock.dt = 0.01;
+  std::vector<double> x_before, v_before;
+  for (int i = 0; i < state.n; ++i) {
+    clock.begin(i) = -1;  // nobody's step begins
+    state.at<HalfStepVelocity>(i, 0) = 2;
+    state.at<Acceleration>(i, 0) = 3;
+    x_before.push_back(state.at<Position>(i, 0));
+    v_before.push_back(state.at<Velocity>(i, 0));
+  }
+  KickDrift::run<S::Layout>(run);
+  fit_cells(state, {});
+  ActiveParticles::run<S::Layout>(run);
+  const auto expect_predicted = [&](int i, bool predicted) {
+    EXPECT_NEAR(state.at<Velocity>(i, 0), v_before[i] + (predicted ? 3 * 0.01 : 0), 1e-14) << i;
+    EXPECT_EQ(clock.late(i / cell_size), predicted ? 0 : 0.01) << i;
+  };
+  bool some_wait = false;
+  for (int i = 0; i < state.n; ++i) {
+    EXPECT_NEAR(state.at<Position>(i, 0), x_before[i] + 2 * 0.01, 1e-14);
+    if (i == hot || are_neighbours(i, hot)) expect_predicted(i, true);
+    some_wait = some_wait || clock.late(i / cell_size) > 0;
+  }
+  EXPECT_TRUE(some_wait);
+  predict<S::Layout>(run, {});
+  for (int i = 0; i < state.n; ++i) expect_predicted(i, true);
+}
+
 /// Woken neighbours end their steps at the next multiple of 4 times what the hot one asks for, a quarter of that away.
 /// Their own neighbours, whose steps are four times as long as theirs should be, sleep on: it is nominal steps that
 /// count.
