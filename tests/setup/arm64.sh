@@ -3,7 +3,7 @@
 # sphk for 64-bit ARM, which computes in packs of NEON, by cmake/aarch64-linux-gnu.cmake: the tests of packs, cells, terms and
 # passes run under qemu-user, and every scheme gives what SPHK, this machine's own program, gives of the same gas: one
 # right-hand side, to 1e-10 in double and 1e-5 in mixed arithmetic, and three steps. The libraries come from SPHK_SYSROOT or,
-# on Debian, into WORK/sysroot. An hour and a half on two cores: SCHEMES="gadget2 sphs" takes these alone.
+# on Debian, into WORK/sysroot. Compiles all schemes: SCHEMES="gadget2 sphs" takes these alone.
 set -euo pipefail
 source=$1 work=$2 native=$3
 shift 3
