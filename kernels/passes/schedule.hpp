@@ -282,12 +282,15 @@ void limit_steps(const Particles<L>& state, const Schedule& schedule, Ticks star
   } while (sources.count > 0);
 }
 
-/// Neighbours that ask for unlike steps begin with the shorter one.
+/// Neighbours that ask for unlike steps begin with the shorter one, and so do the neighbours of these: farther away a
+/// longer first step does no harm, and nearer it costs energy where gas on a plane expands.
 template <class L>
 void begin_together(const Particles<L>& state, const Schedule& schedule, Ticks start) {
-  ParticleSubset capped = schedule.capped[0];
-  limit_once(state, schedule, state.active, capped, 0, start);
-  for_cells("clear masks", capped.count, ClearMasks{capped});
+  for (int round = 0; round < 2; ++round) {
+    ParticleSubset capped = schedule.capped[0];
+    limit_once(state, schedule, state.active, capped, 0, start);
+    for_cells("clear masks", capped.count, ClearMasks{capped});
+  }
 }
 
 }  // namespace detail

@@ -106,8 +106,13 @@ class Engine final : public Simulation {
   }
 
   Snapshot view() const override {
-    passes_->predict(run_);
-    Snapshot view = view_of(run_.state, facts_, origin_, run_.time, run_.step);
+    const bool whole = all_in_step();
+    Snapshot view = look_at_all([&] {
+      Snapshot made = view_of(run_.state, facts_, origin_, run_.time, run_.step);
+      for (Field& field : made.fields)
+        if (!whole && field.make) field.values = std::exchange(field.make, {})();
+      return made;
+    });
     if (!tags_.empty()) {
       view.fields.push_back(phase_tags({}));
       view.fields.back().make = [this] { return std::vector<double>(tags_.begin(), tags_.end()); };
@@ -124,8 +129,7 @@ class Engine final : public Simulation {
   }
 
   std::vector<Field> errors() const override {
-    passes_->predict(run_);
-    return passes_->errors(run_.state);
+    return look_at_all([&] { return passes_->errors(run_.state); });
   }
 
   void save(const TakeBlock& take) const override {
@@ -202,7 +206,23 @@ class Engine final : public Simulation {
 
   bool all_in_step() const {
     const StepClock& clock = run_.state.clock;
-    return clock.now == 0 || clock.now == StepClock::block;
+    return !clock.individual || clock.now == 0 || clock.now == StepClock::block;
+  }
+
+  /// What look() sees of all particles at the present time. Where some sleep they are predicted for as long as that
+  /// takes: a run goes on in the same way whoever looks at it.
+  template <class Look>
+  auto look_at_all(const Look& look) const {
+    if (all_in_step()) return look();
+    const Particles<L>& state = run_.state;
+    const ColumnNumbers columns("columns, before a look", state.columns.data.extent(0));
+    const Kokkos::View<double*, MemorySpace> late("late cells, before a look", state.clock.late.extent(0));
+    const auto copy = [](const auto& to, const auto& from) { Kokkos::deep_copy(ExecutionSpace(), to, from); };
+    copy(columns, state.columns.data), copy(late, state.clock.late);
+    passes_->predict(run_);
+    auto seen = look();
+    copy(state.columns.data, columns), copy(state.clock.late, late);
+    return seen;
   }
 
   void begin_step(double t_end) {
@@ -262,7 +282,7 @@ class Engine final : public Simulation {
 
   std::unique_ptr<SchemePasses<L>> passes_;
   const CompiledFacts& facts_;
-  mutable Run<L> run_;  ///< sleeping particles are predicted when they are looked at
+  Run<L> run_;
   Box origin_;
   std::vector<int> tags_;  ///< by id, as snapshots are sorted
   double steps_accept_, max_dt_;

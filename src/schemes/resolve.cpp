@@ -192,11 +192,11 @@ void declare_engine_keys(Settings& settings) {
                     global_steps,
                     "steps of the particles' own in powers of two, or one for all",
                     {own_steps, global_steps}});
-  settings.declare(
-      {"time.limiter",
-       standard.step_limiter,
-       "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009), and let neighbours that ask for unlike steps begin with one",
-       {}});
+  settings.declare({"time.limiter",
+                    standard.step_limiter,
+                    "keep the steps of neighbours within a factor 4 (Saitoh & Makino 2009), and let neighbours that "
+                    "ask for unlike steps begin with one",
+                    {}});
   declare_number(settings, courant_number);
   settings.declare({"time.max_dt", standard.max_dt, "largest time-step; 0: no limit", {}, 0, 1e300});
 }

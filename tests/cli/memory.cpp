@@ -24,7 +24,7 @@ TEST_F(Memory, OfARunIsLittleMoreThanItsParticles) {
       {"own-steps", "sedov -n 64 --scheme sphs --kernel cs --neighbours 48"},
       {"plane", "gresho -n 400 --set scene.dimension=2 --scheme sph --kernel cs --neighbours 20"},
       {"layers", "kh12 -n 400 --set scene.dimension=2 --scheme sph --kernel cs --neighbours 20"},
-      {"line", "uniform -n 200000 --set scene.dimension=1 --scheme sph --kernel cs --neighbours 8"},
+      {"line", "uniform -n 100000 --set scene.dimension=1 --scheme sph --kernel cs --neighbours 8"},
   };
   for (const auto& [name, arguments] : runs) {
     const Result result = sphk(std::string("run ") + arguments + " --steps 1 --out " + name);
