@@ -10,6 +10,7 @@
 #include "src/engine/load_run.hpp"
 #include "src/engine/neighbour_counts.hpp"
 #include "src/engine/output.hpp"
+#include "src/engine/predicted_rows.hpp"
 #include "src/engine/snapshot.hpp"
 #include "src/engine/step_errors.hpp"
 #include "src/engine/totals.hpp"
@@ -110,7 +111,7 @@ class Engine final : public Simulation {
     Snapshot view = look_at_all([&] {
       Snapshot made = view_of(run_.state, facts_, origin_, run_.time, run_.step);
       for (Field& field : made.fields)
-        if (!whole && field.make) field.values = std::exchange(field.make, {})();
+        if (!whole) field.make = [values = field.make()] { return values; };
       return made;
     });
     if (!tags_.empty()) {
@@ -215,13 +216,21 @@ class Engine final : public Simulation {
   auto look_at_all(const Look& look) const {
     if (all_in_step()) return look();
     const Particles<L>& state = run_.state;
-    const ColumnNumbers columns("columns, before a look", state.columns.data.extent(0));
+    const std::vector<int> rows = predicted_rows(facts_.fields);
+    const auto stride = static_cast<std::size_t>(state.columns.stride);
+    const ColumnNumbers kept("rows, before a look", rows.size() * stride);
     const Kokkos::View<double*, MemorySpace> late("late cells, before a look", state.clock.late.extent(0));
     const auto copy = [](const auto& to, const auto& from) { Kokkos::deep_copy(ExecutionSpace(), to, from); };
-    copy(columns, state.columns.data), copy(late, state.clock.late);
+    const auto each_row = [&](const auto& copy_row) {
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        copy_row(rows_of(state, rows[k], 1), Kokkos::subview(kept, std::pair(k * stride, (k + 1) * stride)));
+    };
+    each_row([&](const auto& row, const auto& spare) { copy(spare, row); });
+    copy(late, state.clock.late);
     passes_->predict(run_);
     auto seen = look();
-    copy(state.columns.data, columns), copy(state.clock.late, late);
+    each_row([&](const auto& row, const auto& spare) { copy(row, spare); });
+    copy(state.clock.late, late);
     return seen;
   }
 
