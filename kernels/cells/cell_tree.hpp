@@ -83,7 +83,8 @@ class CellTree {
   Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
 };
 
-/// Recomputes the box and h_max of a sub-cell from the columns,
+namespace detail {
+
 template <int D, class C>
 KOKKOS_INLINE_FUNCTION void fit_sub_cell(const CellTree<D>& tree, const C& columns, int k) {
   const int begin = k * sub_cell_size, end = min(begin + sub_cell_size, tree.n);
@@ -97,45 +98,51 @@ KOKKOS_INLINE_FUNCTION void fit_sub_cell(const CellTree<D>& tree, const C& colum
   tree.set_node(0, k, b);
 }
 
-/// and those of a node from its children.
-template <int D>
-KOKKOS_INLINE_FUNCTION void fit_node(const CellTree<D>& tree, int level, int k) {
-  const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
-  Bounds<D> b = tree.node(level - 1, begin);
-  for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
-  tree.set_node(level, k, b);
-}
-
-namespace detail {
 template <int D>
 struct FitLevel {
   CellTree<D> tree;
   int level;
-  KOKKOS_INLINE_FUNCTION void operator()(int k) const { fit_node(tree, level, k); }
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int begin = k * fan_out, end = min(begin + fan_out, tree.count(level - 1));
+    Bounds<D> b = tree.node(level - 1, begin);
+    for (int child = begin + 1; child < end; ++child) b.include(tree.node(level - 1, child));
+    tree.set_node(level, k, b);
+  }
 };
-template <int D, class C>
-struct FitSubCells {
+
+/// A cell with its sub-cells.
+template <int D, class C, class Cells>
+struct FitCells {
   CellTree<D> tree;
   C columns;
-  KOKKOS_INLINE_FUNCTION void operator()(int k) const { fit_sub_cell(tree, columns, k); }
+  Cells cells;
+  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
+    const int cell = cells.cell(k), last = min((cell + 1) * fan_out, tree.count(0));
+    for (int s = cell * fan_out; s < last; ++s) fit_sub_cell(tree, columns, s);
+    FitLevel<D>{tree, 1}(cell);
+  }
 };
+
 }  // namespace detail
 
-/// Recomputes the nodes above the cells.
-template <int D>
-void fit_above(const CellTree<D>& tree, int first = 2) {
-  for (int level = first; level < tree.levels; ++level)
+/// Every cell, for code that takes some of them.
+struct AllCells {
+  template <int D>
+  int cells(const CellTree<D>& tree) const {
+    return tree.cells();
+  }
+  KOKKOS_INLINE_FUNCTION int cell(int k) const { return k; }
+};
+
+/// Recomputes the boxes and h_max of some cells from the columns, and those of all nodes above.
+template <int D, class C, class Cells = AllCells>
+void fit(const CellTree<D>& tree, const C& columns, const Cells& cells = {}) {
+  if (tree.n == 0) return;
+  Kokkos::parallel_for("fit cells", Kokkos::RangePolicy<ExecutionSpace>(0, cells.cells(tree)),
+                       detail::FitCells<D, C, Cells>{tree, columns, cells});
+  for (int level = 2; level < tree.levels; ++level)
     Kokkos::parallel_for("fit nodes", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(level)),
                          detail::FitLevel<D>{tree, level});
-}
-
-/// Recomputes every box and h_max from the columns.
-template <int D, class C>
-void fit(const CellTree<D>& tree, const C& columns) {
-  if (tree.n == 0) return;
-  Kokkos::parallel_for("fit sub-cells", Kokkos::RangePolicy<ExecutionSpace>(0, tree.count(0)),
-                       detail::FitSubCells<D, C>{tree, columns});
-  fit_above(tree, 1);
 }
 
 /// The box of all particles and their largest h; call after fit().

@@ -27,6 +27,14 @@ KOKKOS_INLINE_FUNCTION double small_exp(double x) {
   return 1 + x * (1 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
 }
 
+}  // namespace detail
+
+/// Fields that the prediction of sleeping particles changes, of those that a scheme has.
+using PredictedFields = List<Velocity, Thermal, Mass, Support, InverseSupport, Density, GeneralDensity, InverseDensity,
+                             Pressure, SmoothedPressure, PressureOverDensity2, SoundSpeed>;
+
+namespace detail {
+
 /// How a particle gets through a step before its forces are known.
 template <class L>
 struct Motion {
@@ -75,6 +83,7 @@ struct Motion {
  private:
   template <class F>
   KOKKOS_INLINE_FUNCTION void scale(int i, double factor) const {
+    static_assert(contains<F, PredictedFields>);
     if constexpr (contains<F, Fields>) state.template at<F>(i) *= factor;
   }
   /// Of particles that are not computed at the end of this step: their gas expands, and heats.

@@ -29,6 +29,7 @@ struct PairLoop {
   using Walk = ThreadWalk<T, D, Fields, mode, Columns>;
   using TargetFields = Union<List<Position, InverseSupport>, Fields>;
 
+  /// Of so many or fewer targets in a cell each is served for itself.
   static constexpr int few_targets = 4;
 
   State<S> state;

@@ -26,18 +26,6 @@ struct PullToCentre {
   }
 };
 
-/// The boxes of a cell and of its sub-cells.
-template <class L>
-struct FitCells {
-  Particles<L> state;
-  ParticleSubset cells;
-  KOKKOS_INLINE_FUNCTION void operator()(int k) const {
-    const int cell = cells.cell(k), last = min((cell + 1) * fan_out, state.tree.count(0));
-    for (int s = cell * fan_out; s < last; ++s) fit_sub_cell(state.tree, state.columns, s);
-    fit_node(state.tree, 1, cell);
-  }
-};
-
 struct FillRow {
   double* row;
   double value;
@@ -59,10 +47,7 @@ void fill_row(const Particles<L>& state, int row, double value) {
 
 template <class L>
 void fit_cells(const Particles<L>& state, const ParticleSubset& cells) {
-  if (state.n == 0) return;
-  Kokkos::parallel_for("fit cells", Kokkos::RangePolicy<ExecutionSpace>(0, cells.cells(state.tree)),
-                       detail::FitCells<L>{state, cells});
-  fit_above(state.tree);
+  fit(state.tree, state.columns, cells);
 }
 
 template <class L>

@@ -1,31 +1,20 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "kernels/passes/kick_drift.hpp"
 #include "src/engine/field_places.hpp"
 
 namespace sphk {
 
-/// Rows of the columns that the prediction of sleeping particles changes (Motion::predict in kick_drift.hpp).
+/// Rows of the columns that hold PredictedFields.
 inline std::vector<int> predicted_rows(std::span<const FieldPlace> fields) {
-  static constexpr const FieldFacts* predicted[] = {&Velocity::facts,
-                                                    &Thermal::facts,
-                                                    &Mass::facts,
-                                                    &Support::facts,
-                                                    &InverseSupport::facts,
-                                                    &Density::facts,
-                                                    &GeneralDensity::facts,
-                                                    &InverseDensity::facts,
-                                                    &Pressure::facts,
-                                                    &SmoothedPressure::facts,
-                                                    &PressureOverDensity2::facts,
-                                                    &SoundSpeed::facts};
   std::vector<int> rows;
   for (const FieldPlace& place : fields)
-    if (std::ranges::find(predicted, place.facts) != std::end(predicted))
-      for (int k = 0; k < place.components; ++k) rows.push_back(place.row + k);
+    for_each_type(PredictedFields{}, [&]<class F>() {
+      for (int k = 0; place.facts == &F::facts && k < place.components; ++k) rows.push_back(place.row + k);
+    });
   return rows;
 }
 

@@ -143,5 +143,30 @@ TEST(ManyNeighbours, OfTilesAreThoseOfSingleThreads) {
   compare<Sph, Sph::Entropy, Hoct<4>>("hoct4", 442);
 }
 
+/// Searches whose starts are off by 30 and 50 % end where those of the tiles do.
+TEST(FarStarts, LeadSingleThreadsToTheSupportsOfTiles) {
+  using S = Scheme<Sph::Entropy, 3, CubicSpline, double>;
+  using Core = ByParticles<S>::Core;
+  const SmoothingOf<S> smoothing{CubicSpline{}};
+  SimulationSettings settings;
+  settings.neighbours = 48;
+  auto run = load_run<S>(shaken_lattice(3, {9, 8, 3}, 0.3, true, 12), settings, smoothing);
+  const int n = run.state.n;
+  std::vector<double> h, rho;
+  for (int i = 0; i < n; ++i) {
+    h.push_back(run.state.at<Support>(i));
+    rho.push_back(run.state.at<Density>(i));
+    run.state.at<Support>(i) *= i % 2 == 0 ? 0.7 : 1.5;
+  }
+  const SupportCounts counts =
+      find_support(State<Core>{run.state.as<typename Core::Layout>(), smoothing}, run.given, 1e-7);
+  EXPECT_GT(counts.evaluations, n);
+  EXPECT_EQ(counts.failed + counts.capped + counts.crowded, 0);
+  for (int i = 0; i < n; ++i) {
+    ASSERT_NEAR(run.state.at<Support>(i), h[i], 1e-12 * h[i]) << i;
+    ASSERT_NEAR(run.state.at<Density>(i), rho[i], 1e-12 * rho[i]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace sphk::test
