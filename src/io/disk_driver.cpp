@@ -14,6 +14,11 @@ namespace sphk::hdf5 {
 
 namespace {
 
+/// What a file's access list hands to `open`.
+struct Access {
+  Target* target;
+};
+
 /// HDF5's own part comes first.
 struct OpenFile {
   H5FD_t own{};
@@ -42,8 +47,8 @@ int move_all(const Move& move, int file, Byte* bytes, std::size_t size, haddr_t 
 
 H5FD_t* open(const char*, unsigned flags, hid_t access, haddr_t) {
   if (!(flags & H5F_ACC_CREAT)) return nullptr;  // HDF5 asks first whether there is one
-  const auto* target = static_cast<Target* const*>(H5Pget_driver_info(access));
-  return target ? &(new OpenFile{.target = *target})->own : nullptr;
+  const auto* asked = static_cast<const Access*>(H5Pget_driver_info(access));
+  return asked ? &(new OpenFile{.target = asked->target})->own : nullptr;
 }
 
 herr_t close(H5FD_t* file) {
@@ -98,7 +103,7 @@ H5FD_class_t driver() {
   own.name = "sphk";
   own.maxaddr = (haddr_t{1} << 62) - 1;
   own.fc_degree = H5F_CLOSE_WEAK;
-  own.fapl_size = sizeof(Target*);
+  own.fapl_size = sizeof(Access);
   own.open = open;
   own.close = close;
   own.cmp = compare;
@@ -119,8 +124,8 @@ hid_t access_to(Target& target) {
   static const H5FD_class_t ours = driver();
   static const hid_t registered = H5FDregister(&ours);
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-  Target* const address = &target;
-  H5Pset_driver(access, registered, &address);
+  const Access asked{&target};
+  H5Pset_driver(access, registered, &asked);
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);  // nothing of the file outlives it, and so the target
   return access;
 }
