@@ -15,13 +15,13 @@ inline constexpr bool tiles_pay = Kokkos::SpaceAccessibility<Kokkos::HostSpace, 
 
 /// Bounding boxes over sorted particles. A node of level l covers the particles [k 8^(l+1), (k+1) 8^(l+1)): level 0 are
 /// sub-cells, level 1 cells, and so on up to a top level of at most 8 nodes. The order of the particles makes them
-/// compact.
+/// compact. The boxes of a node's children lie together, one component of all after the other.
 template <int D>
 class CellTree {
  public:
   int n = 0;
   int levels = 0;
-  int first[max_levels + 1] = {};            ///< where each level starts among the nodes
+  int first[max_levels + 1] = {};            ///< where each level starts among the nodes: at a multiple of fan_out
   Kokkos::View<Bounds<D>, MemorySpace> all;  ///< where bounds_of_all() puts its result
   Domain<D> domain{};
 
@@ -29,35 +29,37 @@ class CellTree {
   CellTree(int particles, const Domain<D>& box) : n(particles), domain(box) {
     int count = (n + sub_cell_size - 1) / sub_cell_size, total = 0;
     while (true) {
+      counts_[levels] = count;
       first[levels++] = total;
-      total += count;
-      if (levels >= 2 && count <= fan_out) break;
-      count = (count + fan_out - 1) / fan_out;
+      const int families = (count + fan_out - 1) / fan_out;
+      total += families * fan_out;
+      if (levels >= 2 && families <= 1) break;
+      count = families;
     }
     first[levels] = total;
-    nodes_ = Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace>("cell tree", total + fan_out);
+    nodes_ = Kokkos::View<double*, MemorySpace>("cell tree", static_cast<std::size_t>(total) * node_rows);
     all = Kokkos::View<Bounds<D>, MemorySpace>("cell tree, all");
   }
 
-  KOKKOS_INLINE_FUNCTION int count(int level) const { return first[level + 1] - first[level]; }
+  KOKKOS_INLINE_FUNCTION int count(int level) const { return counts_[level]; }
   /// All boxes as one array.
   const auto& nodes() const { return nodes_; }
   KOKKOS_INLINE_FUNCTION int cells() const { return (n + cell_size - 1) / cell_size; }
   KOKKOS_INLINE_FUNCTION Bounds<D> node(int level, int k) const {
-    const int at = first[level] + k;
+    const double* at = node_of(level, k);
     Bounds<D> b;
-    for (int d = 0; d < D; ++d) b.lo[d] = nodes_(at, d), b.hi[d] = nodes_(at, D + d);
-    b.h_max = nodes_(at, 2 * D);
+    for (int d = 0; d < D; ++d) b.lo[d] = at[d * fan_out], b.hi[d] = at[(D + d) * fan_out];
+    b.h_max = at[2 * D * fan_out];
     return b;
   }
   KOKKOS_INLINE_FUNCTION void set_node(int level, int k, const Bounds<D>& b) const {
-    const int at = first[level] + k;
-    for (int d = 0; d < D; ++d) nodes_(at, d) = b.lo[d], nodes_(at, D + d) = b.hi[d];
-    nodes_(at, 2 * D) = b.h_max;
+    double* at = node_of(level, k);
+    for (int d = 0; d < D; ++d) at[d * fan_out] = b.lo[d], at[(D + d) * fan_out] = b.hi[d];
+    at[2 * D * fan_out] = b.h_max;
   }
 
-  /// A bit for each of the 8 nodes from `begin` on: does its box, moved by `shift`, come nearer to `target` than
-  /// reach(h_max)?
+  /// A bit for each of the 8 nodes from `begin` on, children of one: does its box, moved by `shift`, come nearer to
+  /// `target` than reach(h_max)?
   template <class Reach>
   KOKKOS_INLINE_FUNCTION unsigned near(int level, int begin, const Bounds<D>& target, const double* shift,
                                        const Reach& reach) const {
@@ -66,7 +68,7 @@ class CellTree {
     const int count = min(fan_out, this->count(level) - begin);
     unsigned bits = 0;
     for (int k = 0; k < fan_out; k += width) {
-      const auto row = [&](int component) { return load<P>(&nodes_(first[level] + begin + k, component)); };
+      const auto row = [&](int component) { return load<P>(node_of(level, begin + k) + component * fan_out); };
       P distance2 = P(0.0);
       for (int d = 0; d < D; ++d) {
         const P above = row(d) - P(target.hi[d] - shift[d]), below = P(target.lo[d] - shift[d]) - row(D + d);
@@ -80,7 +82,16 @@ class CellTree {
   }
 
  private:
-  Kokkos::View<double * [2 * D + 1], Kokkos::LayoutLeft, MemorySpace> nodes_;  ///< lo, hi, h_max; 8 more than there are
+  static constexpr int node_rows = 2 * D + 1;  ///< lo, hi, h_max
+
+  /// Its first component; the next ones are fan_out apart.
+  KOKKOS_INLINE_FUNCTION double* node_of(int level, int k) const {
+    const int at = first[level] + k;
+    return nodes_.data() + static_cast<std::size_t>(at / fan_out) * (node_rows * fan_out) + at % fan_out;
+  }
+
+  int counts_[max_levels] = {};
+  Kokkos::View<double*, MemorySpace> nodes_;
 };
 
 namespace detail {

@@ -51,6 +51,12 @@ struct Frame {
 /// Which particles of a cell are computed: a bit each, the first the lowest.
 using TargetMask = std::uint64_t;
 
+/// Calls f(i) for the particles of a mask, whose first bit is that of particle `begin`.
+template <class F>
+KOKKOS_FORCEINLINE_FUNCTION void for_each_of(TargetMask mask, int begin, F&& f) {
+  for (; mask != 0; mask &= mask - 1) f(begin + Kokkos::countr_zero(mask));
+}
+
 template <int D>
 KOKKOS_INLINE_FUNCTION TargetMask all_targets(const CellTree<D>& tree, int cell) {
   const int n = min(cell_size, tree.n - cell * cell_size);

@@ -41,13 +41,16 @@ class TiledCell {
   int begin() const { return cell_ * cell_size; }
   int end() const { return sphk::min(begin() + cell_size, tree_.n); }
   bool is_target(int i) const { return targets_ >> (i - begin()) & 1; }
+  TargetMask targets() const { return targets_; }
   /// The box and largest support of the targets.
   const Bounds<D>& bounds() const { return bounds_; }
   const Bounds<D>& sub_bounds(int sub_cell) const { return sub_bounds_[sub_cell - first_sub_cell()]; }
   int first_sub_cell() const { return cell_ * fan_out; }
   int last_sub_cell() const { return sphk::min(first_sub_cell() + fan_out, tree_.count(0)); }
-  /// Are any of the `count` particles from i on targets?
-  bool has_targets(int i, int count) const { return targets_of(i, count) != 0; }
+  /// Those of the `count` particles from i on, i's bit the lowest.
+  TargetMask targets_of(int i, int count) const { return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1); }
+  /// Is there but one target? What is collected are its neighbours, then.
+  bool has_one_target() const { return std::has_single_bit(targets_); }
   const Frame<D>& frame() const { return frame_; }
   /// What select() and list() have made.
   const CellTile& candidates() const { return candidates_; }
@@ -85,16 +88,15 @@ class TiledCell {
         const int first = s * sub_cell_size;
         const TargetMask targets = targets_of(first, sub_cell_size);
         if (targets == 0) continue;
-        const bool lists = !select(s, sub_bounds(s).h_max) || listed;
-        const int count = candidates_.count, block = lists ? CellTile::capacity : block_size;
+        const bool lists = (!select(s, sub_bounds(s).h_max) || listed) && !has_one_target();
+        const int count = candidates_.count, block = lists || has_one_target() ? CellTile::capacity : block_size;
         if (count == 0) continue;
         for (int from = 0; from < count; from += block)
-          for (TargetMask left = targets; left != 0; left &= left - 1) {
-            const int i = first + std::countr_zero(left);
+          for_each_of(targets, first, [&](int i) {
             if (lists) list(i);
             visit(i, lists ? list_ : candidates_, from, lists ? list_.count : sphk::min(from + block, count));
-          }
-        for (TargetMask left = targets; left != 0; left &= left - 1) done(first + std::countr_zero(left));
+          });
+        for_each_of(targets, first, done);
       }
     });
   }
@@ -172,7 +174,6 @@ class TiledCell {
   /// Entries whose rows stay in a host's first cache while the targets of a sub-cell pass over them.
   static constexpr int block_size = 16384 / (CellTile::rows * static_cast<int>(sizeof(T))) / width * width;
 
-  TargetMask targets_of(int i, int count) const { return targets_ >> (i - begin()) & ((TargetMask(1) << count) - 1); }
   static constexpr unsigned first_lanes(int n) { return n >= 32 ? ~0u : (1u << n) - 1; }
 
   /// The list of target i.
@@ -215,11 +216,10 @@ class TiledCell {
     if (!all) bounds_ = Bounds<D>::empty();
     for (int s = first_sub_cell(); s < last_sub_cell(); ++s) {
       Bounds<D>& b = sub_bounds_[s - first_sub_cell()];
-      b = tree_.node(0, s);
+      b = all ? tree_.node(0, s) : Bounds<D>::empty();
       if (all) continue;
-      b = Bounds<D>::empty();
-      for (int i = s * sub_cell_size, to = sphk::min(i + sub_cell_size, tree_.n); i < to; ++i)
-        if (is_target(i)) b.include(point(columns_, i));
+      const int first = s * sub_cell_size;
+      for_each_of(targets_of(first, sub_cell_size), first, [&](int i) { b.include(point(columns_, i)); });
       bounds_.include(b);
     }
   }
@@ -248,7 +248,7 @@ class TiledCell {
       for (int d = 0; d < D; ++d) x[d] = load_relative_pack<Position>(d, image, j0 + k);
       NarrowPack reach_of = static_cast<T>(reach_);
       if constexpr (mode == Reach::symmetric)
-        reach_of = sphk::max(reach_of, load_relative_pack<Support>(0, image, j0 + k));
+        reach_of = sphk::max(reach_of, NarrowPack(T(1)) / load_relative_pack<InverseSupport>(0, image, j0 + k));
       const Compress<NarrowPack> chosen(within(x, half, reach_of) & first_lanes(n - k));
       if (chosen.count() == 0) continue;
       for (int d = 0; d < D; ++d) chosen.store(to + CellTile::template offset<Position>(d), x[d]);

@@ -36,7 +36,7 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
     double sums[cell_size / batch][sums_size][batch];
     const int begin = cell.begin();
     for (int first = begin; first < cell.end(); first += batch)
-      if (cell.has_targets(first, batch)) std::fill_n(&sums[(first - begin) / batch][0][0], sums_size * batch, 0.0);
+      if (cell.targets_of(first, batch) != 0) std::fill_n(&sums[(first - begin) / batch][0][0], sums_size * batch, 0.0);
     cell.for_each_target(
         true,
         [&](int i, const auto& tile, int, int) {
@@ -44,7 +44,7 @@ struct FitVelocity : PairLoop<S, List<Position, InverseSupport, Mass, Velocity>,
         },
         [](int) {});
     for (int first = begin; first < cell.end(); first += batch) {
-      if (!cell.has_targets(first, batch)) continue;
+      if (cell.targets_of(first, batch) == 0) continue;
       Solver fit;
       const auto quality = solve(fit, &sums[(first - begin) / batch][0][0]);
       for (int lane = 0; lane < batch && first + lane < cell.end(); ++lane)

@@ -56,14 +56,13 @@ struct PairSums : PairLoop<S, Union<SupportOfBoth<mode>, typename Terms::Reads>,
   void serve(Cell& cell) const {
     Sums sums[cell_size];
     Values<Pack, D, Adds> packs[sub_cell_size];
-    const int begin = cell.begin(), n = cell.end() - begin;
-    for (int k = 0; k < n; ++k) set_zero(sums[k]);
+    const int begin = cell.begin();
+    for_each_of(cell.targets(), 0, [&](int k) { set_zero(sums[k]); });
     cell.for_each_target(
         Base::lists_pay(),
         [&](int i, const auto& tile, int from, int to) { add(cell, i, tile, from, to, packs[i % sub_cell_size]); },
         [&](int i) { accumulate(sums[i - begin], packs[i % sub_cell_size]); });
-    for (int k = 0; k < n; ++k)
-      if (cell.is_target(begin + k)) out.store(begin + k, sums[k]);
+    for_each_of(cell.targets(), begin, [&](int i) { out.store(i, sums[i - begin]); });
   }
   void add(const Cell& cell, int i, const auto& tile, int from, int to, Values<Pack, D, Adds>& packs) const {
     const auto target = Base::target_of(cell, i);

@@ -15,12 +15,6 @@ KOKKOS_INLINE_FUNCTION int power_below(double n) {
   return power;
 }
 
-/// Calls f(i) for the particles of a mask, whose first bit is that of particle `begin`.
-template <class F>
-KOKKOS_FORCEINLINE_FUNCTION void for_each_of(TargetMask mask, int begin, F&& f) {
-  for (; mask != 0; mask &= mask - 1) f(begin + Kokkos::countr_zero(mask));
-}
-
 template <class L>
 struct MarkActive {
   Particles<L> state;

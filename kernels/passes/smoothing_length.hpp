@@ -43,10 +43,10 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   /// One particle's search.
   struct Task {
     SupportSearch search;
-    ShapeSums<double> shapes{};
+    ShapeSums<double> shapes;
     Values<double, D, Adds> sums;
-    Result result = Result::search;
-    bool done = true;
+    Result result;
+    bool done;
   };
 
   /// What j adds at a trial h.
@@ -96,7 +96,7 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   KOKKOS_INLINE_FUNCTION void serve(const typename Base::Walk& walk, int i, SupportCounts& counts) const {
     auto target = walk.target(i);
     Task task;
-    task.search = {state.template at<Support>(i)};
+    start(task, i);
     while (task.result == Result::search) {
       const T h_inv = static_cast<T>(1 / task.search.h);
       task.shapes = {};
@@ -120,37 +120,40 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
 
   void serve(Cell& cell, SupportCounts& counts) const {
     Task tasks[cell_size];
-    const int begin = cell.begin(), n = cell.end() - begin;
-    for (int k = 0; k < n; ++k) {
-      tasks[k].search = {state.template at<Support>(begin + k)};
-      tasks[k].done = !cell.is_target(begin + k);
-    }
+    const auto for_each_task = [&](auto&& f) {
+      for_each_of(cell.targets(), cell.begin(), [&](int i) { f(tasks[i - cell.begin()], i); });
+    };
+    for_each_task([&](Task& task, int i) { start(task, i); });
     const auto largest = [&] {
       double h = 0;
-      for (int k = 0; k < n; ++k)
-        if (!tasks[k].done) h = max(h, tasks[k].search.h);
+      for_each_task([&](const Task& task, int) { h = task.done ? h : max(h, task.search.h); });
       return h;
     };
     double margin = 1.02;
     for (double h = largest(); h > 0; h = largest(), margin = 1.3) {
       bool in_one_tile = false;
-      for (int k = 0; k < n; ++k) clear(tasks[k]);
+      for_each_task([](Task& task, int) { clear(task); });
       cell.collect(margin * h, [&](bool whole) {
         in_one_tile = whole;
         for (int s = cell.first_sub_cell(); s < cell.last_sub_cell(); ++s)
           sweep(cell, s, tasks, whole ? margin * h : 0, counts);
       });
       if (in_one_tile) continue;
-      for (int k = 0; k < n; ++k)
-        if (!tasks[k].done) {
-          if (tasks[k].result == Result::search)
-            advance(tasks[k], begin + k);
-          else
-            finish(tasks[k], begin + k, counts);
-        }
+      for_each_task([&](Task& task, int i) {
+        if (task.done) return;
+        if (task.result == Result::search)
+          advance(task, i);
+        else
+          finish(task, i, counts);
+      });
     }
   }
 
+  KOKKOS_INLINE_FUNCTION void start(Task& task, int i) const {
+    task.search = {state.template at<Support>(i)};
+    task.result = Result::search;
+    task.done = false;
+  }
   static void clear(Task& task) {
     task.shapes = {};
     set_zero(task.sums);
@@ -159,21 +162,24 @@ struct FindSupport : PairLoop<S, Union<List<Position, Mass>, typename S::Density
   /// Where the tile holds everything within `whole_reach`, follows each search of a sub-cell as far as that goes;
   /// elsewhere adds the tile's share to one evaluation.
   void sweep(Cell& cell, int sub_cell, Task* tasks, double whole_reach, SupportCounts& counts) const {
-    const int from = sub_cell * sub_cell_size, to = min(from + sub_cell_size, state.n), base = cell.begin();
+    const auto for_each_open = [&](auto&& f) {
+      const int from = sub_cell * sub_cell_size, base = cell.begin();
+      for_each_of(cell.targets_of(from, sub_cell_size), from, [&](int i) {
+        if (!tasks[i - base].done) f(tasks[i - base], i);
+      });
+    };
     double reach = 0;
-    for (int i = from; i < to; ++i)
-      if (!tasks[i - base].done) reach = max(reach, tasks[i - base].search.h);
+    for_each_open([&](const Task& task, int) { reach = max(reach, task.search.h); });
     if (reach == 0) return;
     reach = whole_reach > 0 ? min(1.02 * reach, whole_reach) : reach;
-    const bool listed = !cell.select(sub_cell, reach) || Base::lists_pay() || Terms::List::size > 0;
-    for (int i = from; i < to; ++i) {
-      Task& task = tasks[i - base];
-      if (task.done) continue;
+    const bool few = cell.select(sub_cell, reach);
+    const bool listed = !cell.has_one_target() && (!few || Base::lists_pay() || Terms::List::size > 0);
+    for_each_open([&](Task& task, int i) {
       if (whole_reach > 0)
         follow(cell, i, reach, listed, task, counts);
       else
         add_share(cell, i, task);
-    }
+    });
   }
 
   /// Searches as far as the candidates reach; neighbours that are listed for one trial serve those near it as well.

@@ -2,10 +2,14 @@
 // after the other, against the tiles that runs use: the same pairs, summed in another order.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstring>
+#include <map>
+#include <random>
 
 #include "all_schemes.hpp"
 #include "kernels/terms/artificial_conductivity.hpp"
+#include "src/engine/passes_of.hpp"
 #include "src/engine/scheme_interface.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/registry.hpp"
@@ -141,6 +145,62 @@ TYPED_TEST(EveryLoop, OfTilesIsThatOfSingleThreads) {
 /// So many neighbours that candidates are not listed.
 TEST(ManyNeighbours, OfTilesAreThoseOfSingleThreads) {
   compare<Sph, Sph::Entropy, Hoct<4>>("hoct4", 442);
+}
+
+/// Few particles of a cell, served one by one, or more of them, together: each gets what it gets where all are active.
+void compare_few(double neighbours) {
+  using S = Scheme<Sphs::EqualEntropy, 3, Hoct<4>, double>;
+  const PassesOf<S> passes(Hoct<4>{});
+  SimulationSettings settings{.scheme = "sphs", .neighbours = neighbours, .steps = global_steps};
+  auto run = load_run<S>(shaken_lattice(3, {10, 10, 10}, 0.3, true, 12), settings, SmoothingOf<S>(Hoct<4>{}));
+  const auto run_loops = [&] {
+    for_each_type(List<SmoothingLength, Gradients, Rates>{},
+                  [&]<class P>() { P::template run<S>(run, SmoothingOf<S>(Hoct<4>{})); });
+  };
+  for (std::size_t k = 0; k < passes.facts.passes.size(); ++k)
+    if (passes.facts.passes[k].wanted(run.given)) passes.run(static_cast<int>(k), run);
+  run_loops();
+  using Sums = List<Support, Density, VelocityDivergence, VelocityCurl, GradVelocityDivergence, Acceleration, Heating>;
+  const auto particles = run.state.as<S::Layout>();
+  std::map<std::string, std::vector<double>> of_all;
+  const auto for_each_sum = [&](auto&& f) {
+    for_each_type(Sums{}, [&]<class F>() {
+      for (int c = 0; c < components<F, 3>; ++c) f(F::facts.name + std::to_string(c), particles.at<F>(0, c));
+    });
+  };
+  const int n = run.state.n, cells = run.state.tree.cells();
+  for_each_sum([&](const std::string& name, double& first) { of_all[name].assign(&first, &first + n); });
+
+  // One target in the first cell, two in the next, and so on, and all in some.
+  auto& active = run.state.active;
+  active = {false, cells, Kokkos::View<int*, MemorySpace>("cells", cells),
+            Kokkos::View<TargetMask*, MemorySpace>("masks", cells)};
+  std::mt19937_64 engine(7);
+  for (int cell = 0; cell < cells; ++cell) {
+    active.cell_numbers(cell) = cell;
+    const TargetMask all = all_targets(run.state.tree, cell);
+    const int wanted = cell % 4 == 3 ? std::popcount(all) : 1 + cell % 7;
+    while (std::popcount(active.masks(cell)) < wanted) active.masks(cell) |= TargetMask(1) << engine() % 64 & all;
+  }
+  for (int i = 0; i < n; ++i)
+    if (active.contains(i)) particles.at<VelocityDivergence>(i) = particles.at<Acceleration>(i, 1) = std::nan("");
+  run_loops();
+  for_each_sum([&](const std::string& name, double& first) {
+    const std::vector<double>& before = of_all[name];
+    const double most = std::abs(*std::ranges::max_element(before, {}, [](double x) { return std::abs(x); }));
+    for (int i = 0; i < n; ++i) {
+      if (active.contains(i))
+        ASSERT_NEAR((&first)[i], before[static_cast<std::size_t>(i)], 1e-11 * most) << name << " of " << i;
+      else
+        ASSERT_EQ((&first)[i], before[static_cast<std::size_t>(i)]) << name << " of " << i;
+    }
+  });
+}
+TEST(FewTargets, GetWhatTheyGetAmongAllWithLists) {
+  compare_few(64);
+}
+TEST(FewTargets, GetWhatTheyGetAmongAllWithoutLists) {
+  compare_few(442);
 }
 
 /// Searches whose starts are off by 30 and 50 % end where those of the tiles do.
