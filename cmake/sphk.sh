@@ -81,7 +81,7 @@ configure
 if [[ $1 == test ]]; then
   shift
   build_target all
-  exec ctest --test-dir "$build" --output-on-failure --label-exclude "long|readers|arm64" "$@"
+  exec ctest --test-dir "$build" --output-on-failure --label-exclude "long|readers|arm64|docs" "$@"
 fi
 build_target sphk
 exec "$build/bin/sphk" "$@"

@@ -78,8 +78,9 @@ def shown(*words):
             columns = [line.index(head) for head in ("value", "set by", "meaning")]
         elif columns:
             value, by, meaning = columns
-            keys.append((line.split()[0], line[max(value, 3 + len(line.split()[0])):by].strip(), line[by:meaning].strip(),
-                         line[meaning:]))
+            key = line.split()[0]
+            value = max(value, 3 + len(key))
+            keys.append((key, line[value:by].strip(), line[by:meaning].strip(), line[meaning:]))
         elif line.startswith("               ") and label:
             notes[label].append(line.strip())
         elif found := LABEL.match(line):
@@ -126,8 +127,7 @@ def schemes():
                      f"{cell(notes['cost'][0])}.\n")
         if "differs" in notes:
             pages.append("Differs from the paper:\n\n" + bullets(notes["differs"]))
-        pages.append("A step: " + cell(notes["passes"][0]).replace("->", "→").replace("-\\>", "→") + ".\n\nTerms:\n\n" +
-                     bullets(notes["terms"]))
+        pages.append(f"A step: {cell(notes['passes'][0].replace('->', '→'))}.\n\nTerms:\n\n" + bullets(notes["terms"]))
         if own:
             pages.append(key_table(own))
     return "\n".join(pages)
@@ -143,7 +143,7 @@ def keys():
 def python():
     """The Python package by its docstrings, where it is installed."""
     if importlib.util.find_spec("sphk") is None:
-        return "These pages were built where the package is not installed; `python3 -m pydoc sphk` prints what belongs here."
+        return "The package was not there when these pages were built; `python3 -m pydoc sphk` prints what belongs here."
     return "```{eval-rst}\n.. automodule:: sphk\n   :members:\n   :imported-members:\n```"
 
 
