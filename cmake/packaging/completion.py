@@ -101,9 +101,9 @@ def zsh_function(command, scenes, schemes):
                 f"    words) case $words[1] in {cases} esac ;;", "  esac"]
     else:
         if command.positionals:
-            found = first_words(command, scenes)
-            specs.append(f"'*:{command.positionals[0].names[0]}:_alternative \"words:word:({' '.join(found)})\" "
-                         "\"files:file:_files\"'" if found else f"'*:{command.positionals[0].names[0]}:_files'")
+            scenes_or_files = '{_alternative "scenes:scene:(%s)" "files:file:_files"}' % " ".join(scenes)
+            action = scenes_or_files if first_words(command, scenes) else "_files"
+            specs.append(f"'*:{command.positionals[0].names[0]}:{action}'")
         body = ["  _arguments " + " ".join(specs)]
     return "\n".join([f"{name}() {{", *body, "}"])
 
