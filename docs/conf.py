@@ -25,8 +25,9 @@ exclude_patterns = ["examples", "requirements.txt"]
 html_theme = "furo"
 html_title = f"sphk {version}"
 html_static_path = ["static"]
-html_css_files = ["wide_tables.css"]
+html_css_files = ["pages.css"]
 html_theme_options = {"navigation_with_keys": False}
+smartquotes = False  # they would join the hyphens of --options
 copybutton_prompt_text = "$ "
 # Types of the standard library and of Kokkos have no page here.
 nitpick_ignore_regex = [(r"cpp:.*", r".*")]

@@ -49,7 +49,7 @@ def commands():
     for command in list(tree.everyone())[1:]:
         words = " ".join(["sphk", *command.words])
         usage = re.sub(r"\(\d+x\)", "", command.usage)
-        pages.append(f"## {words}\n\n{cell(command.summary).capitalize()}.\n\n```\n{usage}\n```\n")
+        pages.append(f"## {words}\n\n{cell(command.summary[0].upper() + command.summary[1:])}.\n\n```\n{usage}\n```\n")
         if command.positionals:
             pages.append(table(["argument", "what"], option_rows(command.positionals)))
         own = [option for option in command.options if "--help" not in option.names]
