@@ -8,6 +8,18 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
+# GPU code is one program, and device functions are not called across shared objects.
+if(Kokkos_ENABLE_CUDA OR Kokkos_ENABLE_HIP)
+  set(SPHK_MODULES OFF)
+endif()
+if(SPHK_MODULES)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../lib")
+  set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
+  # A function that is called where it is defined may be inlined there, as in a static library.
+  add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-semantic-interposition>")
+endif()
+
 # Warnings of sphk's own code; a project that adds this folder has its own. Left out are three that g++ 12 raises of
 # std::string and of packs in registers, where nothing is wrong, and that of members which designated initialisers leave
 # at their defaults.

@@ -7,6 +7,9 @@
 
 namespace sphk {
 
+/// Those of the list, and what stands for every other.
+using AnyOfKernels = Union<SmoothingKernels, List<OwnKernel>>;
+
 namespace detail {
 template <class L>
 struct EachOf;
@@ -14,15 +17,15 @@ template <class... Kernel>
 struct EachOf<List<Kernel...>> : Kernel... {};
 }  // namespace detail
 
-/// Any kernel of the list in closed form, chosen at run time: for loops that run so seldom that one for all kernels,
+/// Any kernel of the list in closed form, or a module's, chosen at run time: for loops that run so seldom that one for all kernels,
 /// compiled once, is worth a call a pair.
-class AnyKernel : detail::EachOf<SmoothingKernels> {
+class AnyKernel : detail::EachOf<AnyOfKernels> {
  public:
   template <class Kernel>
   explicit AnyKernel(const Kernel& kernel) {
     static_cast<Kernel&>(*this) = kernel;
     int k = 0;
-    for_each_type(SmoothingKernels{}, [&]<class Other>() {
+    for_each_type(AnyOfKernels{}, [&]<class Other>() {
       if (std::is_same_v<Other, Kernel>) chosen_ = k;
       ++k;
     });
@@ -52,7 +55,7 @@ class AnyKernel : detail::EachOf<SmoothingKernels> {
   KOKKOS_FORCEINLINE_FUNCTION Result with(const auto& f) const {
     Result result{};
     int k = 0;
-    for_each_type(SmoothingKernels{}, [&]<class Kernel>() {
+    for_each_type(AnyOfKernels{}, [&]<class Kernel>() {
       if (k++ == chosen_) result = f(static_cast<const Kernel&>(*this));
     });
     return result;

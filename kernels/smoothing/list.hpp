@@ -15,6 +15,7 @@
 #include "kernels/smoothing/hydra.hpp"
 #include "kernels/smoothing/johnson.hpp"
 #include "kernels/smoothing/liq.hpp"
+#include "kernels/smoothing/own_kernel.hpp"
 #include "kernels/smoothing/wendland.hpp"
 
 namespace sphk {
@@ -23,10 +24,11 @@ namespace sphk {
 using SmoothingKernels = List<CubicSpline, CoreTriangle, CoreTriangleForces, Hoct<3>, Hoct<4>, Hoct<5>, Hoct<8>, Liq,
                               Hydra, Johnson, BSpline<5>, BSpline<6>, WendlandC2, WendlandC4, WendlandC6>;
 
-/// Names of all smoothing kernels, in the order of the list.
+/// Names of all smoothing kernels, in the order of the list; behind them those that modules have brought.
 inline std::vector<std::string> smoothing_kernel_names() {
   std::vector<std::string> names;
   for_each_type(SmoothingKernels{}, [&]<class Kernel>() { names.emplace_back(Kernel::name); });
+  for (const OwnKernel& own : own_kernels()) names.emplace_back(own.known_as);
   return names;
 }
 
@@ -45,6 +47,8 @@ template <class F, class Kernel, class... Rest>
 decltype(auto) with_kernel_of(List<Kernel, Rest...>, std::string_view name, F&& f) {
   if (name == Kernel::name) return f(Kernel{});
   if constexpr (sizeof...(Rest) > 0) return with_kernel_of(List<Rest...>{}, name, f);
+  for (const OwnKernel& own : own_kernels())
+    if (name == own.known_as) return f(own);
   std::string known;
   for (const std::string& each : smoothing_kernel_names()) known += each + ", ";
   throw std::invalid_argument("there is no smoothing kernel \"" + std::string(name) + "\"; known are " + known +

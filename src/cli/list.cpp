@@ -28,7 +28,7 @@ std::string usual_pairs(const SchemeFacts& scheme) {
 void print_schemes() {
   fmt::print("\n{:<18} {:<28} {}\n", "scheme", "usual kernel in 1D, 2D, 3D", "what it is");
   for (const std::string& name : scheme_names()) {
-    const SchemeFacts& scheme = scheme_facts(name, compiled_schemes());
+    const SchemeFacts& scheme = *scheme_entry(name).facts;
     fmt::print("{:<18} {:<28} {}\n", name, usual_pairs(scheme), scheme.summary);
   }
 }

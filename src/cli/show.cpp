@@ -62,7 +62,7 @@ int show_command(const std::string& what, const std::vector<Override>& overrides
              trial.particles, d.dimension, size[0], size[1], size[2]);
   fmt::print("  {:<12} {}, kernel {}{}, {:g} neighbours, {} precision\n", "scheme", d.scheme, d.kernel,
              d.tabulated ? " (tabulated)" : "", problem.settings.real("sph.neighbours"), d.precision);
-  const SchemeFacts& facts = scheme_facts(d.scheme, compiled_schemes());
+  const SchemeFacts& facts = *scheme_entry(d.scheme).facts;
   print_list("", {facts.summary}, "");
   print_list("differs", differences(problem, facts, d.dimension), next_line);
   print_list("passes", d.passes, " -> ");

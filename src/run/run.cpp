@@ -83,7 +83,7 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   record.warnings = input_remarks(problem);
   const KernelPair pair{s.kernel, s.neighbours};
   const auto& [kernel, neighbours] =
-      scheme_facts(s.scheme, compiled_schemes()).usual[static_cast<std::size_t>(particles.dimension - 1)];
+      scheme_entry(s.scheme).facts->usual[static_cast<std::size_t>(particles.dimension - 1)];
   for (const std::string& remark : {stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma),
                                     sampling_remark(pair, {kernel, neighbours}, particles.dimension),
                                     courant_remark(s.courant, pair, particles.dimension, s.gamma)})

@@ -12,7 +12,7 @@ namespace sphk {
 
 namespace {
 
-constexpr double pressure = 0.6;  // the light gas, rho = 1, has the speed of sound 1 at gamma = 5/3
+constexpr double even_pressure = 0.6;  // the light gas, rho = 1, has the speed of sound 1 at gamma = 5/3
 constexpr double light_speed = 0.11, edge = 0.01, wavelength = 0.5;
 
 /// Kelvin-Helmholtz instability of R10 sec 5.1 and S12 sec 7.5: dense gas in |y| < 1/4.
@@ -76,7 +76,7 @@ class KelvinHelmholtz final : public ShearLayers {
     };
     const double excess = ratio_ - 1;
     return {.lower = -0.5,
-            .pressure = pressure,
+            .pressure = even_pressure,
             .rho_light = 1,
             .rho_dense = double(ratio_),
             .interfaces = {-0.25, 0.25},

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "src/engine/passes_of.hpp"
 #include "src/schemes/instantiation.hpp"
@@ -38,18 +40,6 @@ std::vector<TermFacts> all_term_facts(List<T...>) {
   return {term_facts<T>()...};
 }
 
-/// Numbers of terms and passes, each once.
-template <class... T>
-std::vector<const Number*> all_numbers(List<T...>) {
-  std::vector<const Number*> numbers;
-  const auto append = [&](const auto& list) {
-    for (const Number* number : list)
-      if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
-  };
-  (append(NumbersOf<T>::type::list), ...);
-  return numbers;
-}
-
 template <int D, class... F>
 std::vector<FieldPlace> all_places(List<F...>) {
   return {FieldPlace{&F::facts, 0, components<F, D>}...};
@@ -81,7 +71,6 @@ void append(Instantiations& rows, List<K...>) {
                     .make = &make_engine<S>,
                     .facts = &facts_of<S>,
                     .terms = all_term_facts(typename R::RateTerms::List{}),
-                    .numbers = all_numbers(Union<typename R::RateTerms::List, typename R::StepPasses>{}),
                     .written = all_places<D>(WrittenIn<R>{}),
                     .left_out = R::ThermalForm::left_out});
   };
@@ -101,22 +90,35 @@ struct PairNumbersOf<R> {
   using type = typename R::PairNumbers;
 };
 
-template <class S, int D, class T, class... R>
+template <class S, int D, class T, int part, int parts, class... R>
 void append_recipes(Instantiations& rows, List<R...>) {
-  const auto add = [&]<class One>() {
-    if constexpr (contains<T, typename PairNumbersOf<One>::type>)
+  const auto add = [&]<class One, int place>() {
+    if constexpr (place % parts == part && contains<T, typename PairNumbersOf<One>::type>)
       append<S, One, D, T>(rows, typename One::Kernels::template in<D>{});
   };
-  (add.template operator()<R>(), ...);
+  [&]<int... place>(std::integer_sequence<int, place...>) {
+    (add.template operator()<R, place>(), ...);
+  }
+  (std::make_integer_sequence<int, sizeof...(R)>{});
 }
 
 }  // namespace detail
 
-template <class S, int D>
+template <class S, int D, class T, int part, int parts>
 Instantiations instantiate() {
   Instantiations rows;
-  detail::append_recipes<S, D, float>(rows, typename S::Recipes{});
-  detail::append_recipes<S, D, double>(rows, typename S::Recipes{});
+  detail::append_recipes<S, D, T, part, parts>(rows, typename S::Recipes{});
+  return rows;
+}
+
+/// All rows of scheme S.
+template <class S>
+Instantiations all_rows_of() {
+  Instantiations rows;
+  const auto append = [&](Instantiations some) { std::ranges::move(some, std::back_inserter(rows)); };
+  append(rows_of<S, 1, float>()), append(rows_of<S, 1, double>());
+  append(rows_of<S, 2, float>()), append(rows_of<S, 2, double>());
+  append(rows_of<S, 3, float>()), append(rows_of<S, 3, double>());
   return rows;
 }
 

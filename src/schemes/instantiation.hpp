@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/engine/scheme_interface.hpp"
@@ -30,18 +33,26 @@ struct Instantiation {
   std::unique_ptr<Simulation> (*make)(const ParticleSet&, const SimulationSettings&);
   CompiledFacts (*facts)();
   std::vector<TermFacts> terms;
-  std::vector<const Number*> numbers;  ///< of its terms and passes
-  std::vector<FieldPlace> written;     ///< by its passes, whether or not anyone reads them
-  const char* left_out;                ///< what the thermal variable makes unnecessary; null: nothing
+  std::vector<FieldPlace> written;  ///< by its passes, whether or not anyone reads them
+  const char* left_out;             ///< what the thermal variable makes unnecessary; null: nothing
 };
 
 using Instantiations = std::vector<Instantiation>;
 
-/// Rows of scheme S in D dimensions. Defined in instantiate.hpp; one source file each.
-template <class S, int D>
+/// Rows of scheme S in D dimensions with pairs in T (float or double); of its recipes each `parts`-th, from the
+/// `part`-th on. Defined in instantiate.hpp; a source file each.
+template <class S, int D, class T, int part = 0, int parts = 1>
 Instantiations instantiate();
 
-/// Those of every scheme of the list (src/schemes/CMakeLists.txt), which writes this function.
-Instantiations all_instantiations();
+/// All rows of scheme S in D dimensions with pairs in T.
+template <class S, int D, class T, int parts = 1>
+Instantiations rows_of() {
+  Instantiations rows;
+  [&]<int... part>(std::integer_sequence<int, part...>) {
+    (std::ranges::move(instantiate<S, D, T, part, parts>(), std::back_inserter(rows)), ...);
+  }
+  (std::make_integer_sequence<int, parts>{});
+  return rows;
+}
 
 }  // namespace sphk

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 
+#include "kernels/passes/state_equation.hpp"
 #include "src/schemes/registry.hpp"
 
 namespace sphk {
@@ -21,8 +22,8 @@ std::optional<Labelled> scheme_of(const std::string& label, const std::string& s
   if (r10) std::swap(own, others);
   std::optional<Labelled> other;
   const auto is = [&](const char* name) { return name && label == name; };
-  for (const Instantiation& row : compiled_schemes()) {
-    const SchemeFacts& scheme = *row.scheme;
+  for (const SchemeEntry& entry : known_schemes()) {
+    const SchemeFacts& scheme = *entry.facts;
     if (suffix != scheme.label_suffix) continue;
     if (is(r10 ? scheme.r10_label : scheme.s12_label)) return Labelled{&scheme, own};
     if (is(r10 ? scheme.s12_label : scheme.r10_label)) other = Labelled{&scheme, others};

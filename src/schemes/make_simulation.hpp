@@ -1,7 +1,8 @@
 #pragma once
 
 #include "src/schemes/instantiate.hpp"
-#include "src/schemes/registry.hpp"
+#include "src/schemes/compiled_rows.hpp"
+#include "src/schemes/scheme_entry.hpp"
 
 namespace sphk {
 
@@ -10,13 +11,8 @@ namespace sphk {
 /// settings leave `scheme` alone: it is this one. Throws InputError as the other make_simulation does.
 template <class S>
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, SimulationSettings settings = {}) {
-  Instantiations rows;
-  const auto append = [&](Instantiations&& some) {
-    for (Instantiation& row : some) rows.push_back(std::move(row));
-  };
-  append(instantiate<S, 1>()), append(instantiate<S, 2>()), append(instantiate<S, 3>());
   settings.scheme = S::facts.name;
-  return make_simulation(particles, settings, rows);
+  return make_simulation(particles, settings, scheme_entry<S>(), all_rows_of<S>());
 }
 
 }  // namespace sphk

@@ -12,6 +12,7 @@
 #include "src/engine/output.hpp"
 #include "src/engine/scaled_simulation.hpp"
 #include "src/schemes/checks.hpp"
+#include "src/schemes/compiled_rows.hpp"
 
 namespace sphk {
 
@@ -24,8 +25,7 @@ GasTraits traits_of(const ParticleSet& particles) {
 
 /// Does the row compute what is asked, whatever its kernel?
 bool answers(const Instantiation& row, const SimulationSettings& settings, int dimension) {
-  return row.scheme->name == settings.scheme && row.energy == settings.energy && row.dimension == dimension &&
-         row.precision == settings.precision;
+  return row.energy == settings.energy && row.dimension == dimension && row.precision == settings.precision;
 }
 
 /// The compiled recipe for settings that leave nothing open: in closed form where it has the kernel, else through the
@@ -96,16 +96,10 @@ double least_neighbours(const Instantiations& rows, const std::string& kernel, i
 
 }  // namespace
 
-const Instantiations& compiled_schemes() {
-  static const Instantiations all = all_instantiations();
-  return all;
-}
-
 std::vector<std::string> scheme_names() {
   std::vector<std::string> names;
-  for (const Instantiation& row : compiled_schemes())
-    if (!row.scheme->hidden && std::ranges::find(names, row.scheme->name) == names.end())
-      names.emplace_back(row.scheme->name);
+  for (const SchemeEntry& scheme : known_schemes())
+    if (!scheme.facts->hidden) names.emplace_back(scheme.facts->name);
   return names;
 }
 
@@ -118,12 +112,13 @@ double min_neighbours(const std::string& kernel, int dimension) {
 }
 
 SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& particles) {
-  const SimulationSettings settings = resolved(asked, particles.dimension, compiled_schemes());
+  const SimulationSettings settings = resolved(asked, particles.dimension);
+  const Instantiations& rows = compiled_rows(settings.scheme, particles.dimension, settings.precision);
   SimulationSettings whole = settings;
   whole.all_terms = true;
   const GasTraits gas = traits_of(particles);
-  const Instantiation& row = choose(compiled_schemes(), settings, particles.dimension, gas);
-  const Instantiation& complete = choose(compiled_schemes(), whole, particles.dimension, gas);
+  const Instantiation& row = choose(rows, settings, particles.dimension, gas);
+  const Instantiation& complete = choose(rows, whole, particles.dimension, gas);
   const Given given = given_of(settings);
   const CompiledFacts facts = row.facts();
   SchemeDescription description;
@@ -143,21 +138,32 @@ SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& p
   return description;
 }
 
+Instantiations compiled_rows() {
+  Instantiations all;
+  for (const SchemeEntry& scheme : known_schemes())
+    for (const int dimension : {1, 2, 3})
+      for (const char* precision : {"mixed", "double"})
+        std::ranges::copy(compiled_rows(scheme.facts->name, dimension, precision), std::back_inserter(all));
+  return all;
+}
+
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& asked,
-                                            const Instantiations& rows) {
+                                            const SchemeEntry& scheme, const Instantiations& rows) {
   check_runnable(particles);
-  const SimulationSettings settings = resolved(asked, particles.dimension, rows);
+  const SimulationSettings settings = resolved(asked, particles.dimension, scheme);
   check_runnable(settings, particles, least_neighbours(rows, settings.kernel, particles.dimension));
   const Instantiation& row = choose(rows, settings, particles.dimension, traits_of(particles));
   const Scale scale = settings.own_units.value_or(scale_of(particles));
   const auto make = [&] {
-    return row.make(particles, in_own_units(settings, scale, row.numbers, particles.dimension));
+    return row.make(particles, in_own_units(settings, scale, scheme.numbers, particles.dimension));
   };
   return std::make_unique<ScaledSimulation>(make, scale, particles.dimension, settings.gamma);
 }
 
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {
-  return make_simulation(particles, settings, compiled_schemes());
+  check_runnable(particles);
+  return make_simulation(particles, settings, scheme_entry(settings.scheme),
+                         compiled_rows(settings.scheme, particles.dimension, settings.precision));
 }
 
 }  // namespace sphk

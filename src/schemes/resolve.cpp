@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "kernels/passes/kick_drift.hpp"
+#include "kernels/passes/state_equation.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "src/engine/errors.hpp"
 #include "src/engine/geometry.hpp"
@@ -22,11 +23,6 @@ constexpr const Number* with_a_place[] = {&neighbour_number, &largest_support, &
 
 bool has_a_place(const std::string& key) {
   return std::ranges::any_of(with_a_place, [&](const Number* number) { return key == number->key; });
-}
-
-const Number* find(const std::vector<const Number*>& numbers, std::string_view key) {
-  const auto it = std::ranges::find_if(numbers, [&](const Number* number) { return number->key == key; });
-  return it == numbers.end() ? nullptr : *it;
 }
 
 bool is_flag(const Number& number) {
@@ -68,31 +64,24 @@ void declare_number(Settings& settings, const Number& number) {
 
 /// One number of each key, of all schemes.
 std::vector<const Number*> numbers_of_all() {
-  std::vector<const Number*> all;
-  for (const Instantiation& row : compiled_schemes())
-    for (const Number* number : row.numbers)
-      if (!find(all, number->key)) all.push_back(number);
-  return all;
+  SchemeEntry all{};
+  for (const SchemeEntry& scheme : known_schemes())
+    for (const Number* number : scheme.numbers)
+      if (!all.number(number->key)) all.numbers.push_back(number);
+  return all.numbers;
 }
 
-[[noreturn]] void fail_without_number(const SchemeFacts& scheme, const std::string& key, const Instantiations& rows) {
+[[noreturn]] void fail_without_number(const SchemeFacts& scheme, const std::string& key) {
   std::vector<std::string> having;
-  for (const Instantiation& row : rows)
-    if (!row.scheme->hidden && find(row.numbers, key) && std::ranges::find(having, row.scheme->name) == having.end())
-      having.emplace_back(row.scheme->name);
+  for (const SchemeEntry& other : known_schemes())
+    if (!other.facts->hidden && other.number(key)) having.emplace_back(other.facts->name);
   if (having.empty()) throw InputError(fmt::format("no scheme has a number \"{}\"", key));
   throw InputError(fmt::format("{} is no key of the scheme {}; {} {} it", key, scheme.name, fmt::join(having, ", "),
                                having.size() == 1 ? "has" : "have"));
 }
 
-/// The thermal variables that a scheme integrates, its first the default.
-const char* first_energy(const SchemeFacts& scheme, const Instantiations& rows) {
-  const auto row = std::ranges::find(rows, &scheme, &Instantiation::scheme);
-  return row->energy;
-}
-
-std::string standard_energy(const SchemeFacts& scheme, bool mixes) {
-  return mixes ? scheme.mixing_energy : first_energy(scheme, compiled_schemes());
+std::string standard_energy(const SchemeEntry& scheme, bool mixes) {
+  return mixes ? scheme.facts->mixing_energy : scheme.energies.front();
 }
 
 const KernelChoice& usual_of(const SchemeFacts& scheme, int dimension) {
@@ -100,13 +89,14 @@ const KernelChoice& usual_of(const SchemeFacts& scheme, int dimension) {
 }
 
 /// What a scene prefers of the method is meant for the scheme that it prefers: under another it is forgotten.
-void forget_other_method(Settings& settings, const SchemeFacts& scheme, int dimension) {
+void forget_other_method(Settings& settings, const SchemeEntry& entry, int dimension) {
+  const SchemeFacts& scheme = *entry.facts;
   const auto preferred = std::ranges::find(settings.keys(), "sph.scheme", &Key::name)->preferred;
   if (!preferred || std::get<std::string>(*preferred) == scheme.name) return;
   const KernelChoice& usual = usual_of(scheme, dimension);
   settings.forget_preference("sph.kernel", std::string(usual.kernel));
   settings.forget_preference("sph.neighbours", usual.neighbours);
-  settings.forget_preference("sph.energy", std::string(first_energy(scheme, compiled_schemes())));
+  settings.forget_preference("sph.energy", std::string(entry.energies.front()));
   settings.forget_preference("time.steps", std::string(scheme.steps));
   settings.forget_preference("time.courant", scheme.courant);
 }
@@ -124,18 +114,10 @@ void adopt_kernel(Settings& settings, const SchemeFacts& scheme, int dimension) 
 
 }  // namespace
 
-const SchemeFacts& scheme_facts(const std::string& name, const Instantiations& rows) {
-  for (const Instantiation& row : rows)
-    if (row.scheme->name == name) return *row.scheme;
+const SchemeEntry& scheme_entry(const std::string& name) {
+  for (const SchemeEntry& scheme : known_schemes())
+    if (scheme.facts->name == name) return scheme;
   throw InputError(fmt::format("there is no scheme \"{}\"; schemes are {}", name, fmt::join(scheme_names(), ", ")));
-}
-
-std::vector<const Number*> numbers_of(const SchemeFacts& scheme, const Instantiations& rows) {
-  std::vector<const Number*> all;
-  for (const Instantiation& row : rows)
-    for (const Number* number : row.numbers)
-      if (row.scheme == &scheme && !find(all, number->key)) all.push_back(number);
-  return all;
 }
 
 double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, int dimension) {
@@ -149,24 +131,27 @@ double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, in
   }
 }
 
-SimulationSettings resolved(SimulationSettings settings, int dimension, const Instantiations& rows) {
-  const SchemeFacts& scheme = scheme_facts(settings.scheme, rows);
-  const std::vector<const Number*> known = numbers_of(scheme, rows);
+SimulationSettings resolved(SimulationSettings settings, int dimension, const SchemeEntry& entry) {
+  const SchemeFacts& scheme = *entry.facts;
   for (const auto& [key, value] : settings.numbers.values())
-    if (!find(known, key)) fail_without_number(scheme, key, rows);
+    if (!entry.number(key)) fail_without_number(scheme, key);
   if (settings.kernel.empty()) settings.kernel = usual_of(scheme, dimension).kernel;
   if (settings.neighbours == 0) settings.neighbours = usual_neighbours(scheme, settings.kernel, dimension);
-  if (settings.energy.empty()) settings.energy = first_energy(scheme, rows);
+  if (settings.energy.empty()) settings.energy = entry.energies.front();
   if (settings.courant == 0) settings.courant = scheme.courant;
   if (settings.steps.empty()) settings.steps = scheme.steps;
   return settings;
 }
 
+SimulationSettings resolved(const SimulationSettings& settings, int dimension) {
+  return resolved(settings, dimension, scheme_entry(settings.scheme));
+}
+
 SimulationSettings under_scheme(SimulationSettings settings, const std::string& scheme) {
-  const std::vector<const Number*> known = numbers_of(scheme_facts(scheme, compiled_schemes()), compiled_schemes());
+  const SchemeEntry& entry = scheme_entry(scheme);
   Given numbers;
   for (const auto& [key, value] : settings.numbers.values())
-    if (find(known, key)) numbers.set(key, value);
+    if (entry.number(key)) numbers.set(key, value);
   settings.numbers = numbers;
   settings.scheme = scheme;
   settings.energy.clear();
@@ -202,20 +187,20 @@ void declare_engine_keys(Settings& settings) {
 }
 
 void adopt_scheme(Settings& settings, int dimension, bool mixes) {
-  const SchemeFacts& scheme = scheme_facts(settings.text("sph.scheme"), compiled_schemes());
-  const std::vector<const Number*> own = numbers_of(scheme, compiled_schemes());
+  const SchemeEntry& entry = scheme_entry(settings.text("sph.scheme"));
+  const SchemeFacts& scheme = *entry.facts;
   for (const Number* number : numbers_of_all()) {
     if (has_a_place(number->key) || !settings.has(number->key)) continue;
-    if (const Number* mine = find(own, number->key))
+    if (const Number* mine = entry.number(number->key))
       settings.set_standard(number->key, value_of(*mine, mine->standard));
     else if (settings.set_by_user(number->key))
-      fail_without_number(scheme, number->key, compiled_schemes());
+      fail_without_number(scheme, number->key);
     else
       settings.remove(number->key);
   }
-  forget_other_method(settings, scheme, dimension);
+  forget_other_method(settings, entry, dimension);
   adopt_kernel(settings, scheme, dimension);
-  settings.set_standard("sph.energy", standard_energy(scheme, mixes));
+  settings.set_standard("sph.energy", standard_energy(entry, mixes));
   settings.set_standard("time.steps", std::string(scheme.steps));
   settings.set_standard("time.courant", scheme.courant);
 }
@@ -233,8 +218,7 @@ SimulationSettings simulation_settings(const Settings& settings) {
                                 .h_max = settings.real("sph.h_max"),
                                 .max_dt = settings.real("time.max_dt"),
                                 .numbers = {}};
-  const SchemeFacts& scheme = scheme_facts(simulation.scheme, compiled_schemes());
-  for (const Number* number : numbers_of(scheme, compiled_schemes())) {
+  for (const Number* number : scheme_entry(simulation.scheme).numbers) {
     const auto key = std::ranges::find(settings.keys(), number->key, &Key::name);
     if (!has_a_place(number->key) && key != settings.keys().end())
       simulation.numbers.set(number->key, number_of(*number, key->value));

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "src/engine/settings.hpp"
-#include "src/schemes/instantiation.hpp"
+#include "src/schemes/catalogue.hpp"
 
 namespace sphk {
 
-/// Facts of a scheme by name, hidden ones too. Throws InputError with the names that there are.
-const SchemeFacts& scheme_facts(const std::string& name, const Instantiations& rows);
-/// The numbers of a scheme's terms and passes, one of each key.
-std::vector<const Number*> numbers_of(const SchemeFacts& scheme, const Instantiations& rows);
+/// Every scheme that a run may ask for, hidden ones too: those of this build, then those of modules (modules.hpp).
+const Catalogue& known_schemes();
+/// The scheme of that name. Throws InputError with the names that there are.
+const SchemeEntry& scheme_entry(const std::string& name);
 
 /// The neighbour number that goes with a kernel under a scheme: the scheme's own for its usual kernel, and where the
 /// kernel wants more, as many as it wants.
@@ -16,7 +16,9 @@ double usual_neighbours(const SchemeFacts& scheme, const std::string& kernel, in
 
 /// The settings with everything that was left to the scheme filled in. Throws InputError for numbers that the scheme
 /// does not have, and names those that have them.
-SimulationSettings resolved(SimulationSettings settings, int dimension, const Instantiations& rows);
+SimulationSettings resolved(SimulationSettings settings, int dimension, const SchemeEntry& scheme);
+/// By the scheme that they name.
+SimulationSettings resolved(const SimulationSettings& settings, int dimension);
 
 /// The same kernel, neighbours, time-steps and numbers under another scheme, as far as it has the numbers.
 SimulationSettings under_scheme(SimulationSettings settings, const std::string& scheme);

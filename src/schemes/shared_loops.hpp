@@ -8,7 +8,7 @@
 
 namespace sphk {
 
-// Loops over pairs that many schemes share are compiled once, apart from them (loops_*.cpp): a change of a term then
+// Loops over pairs that many schemes share are compiled once, apart from them (loops.hpp): a change of a term then
 // leaves them alone. What is listed here is; loops of other kernels, fields or sums are compiled with the scheme that
 // has them, which takes longer to build and is otherwise the same.
 
@@ -33,20 +33,27 @@ struct SharedLoops {
 using DivergenceSum = TermSet<VelocityDivergenceSum>;
 using GradientSums = TermSet<VelocityDivergenceSum, VelocityCurlSum>;
 
-/// sph, tsph, osph; gadget2, v10; both without Balsara's factor; sphs; sphs-conservative.
-using AllSharedLoops =
+// Families of them, each a library for every dimension and pair arithmetic (CMakeLists.txt).
+
+/// Without Balsara's factor; SPHS without a switch.
+using PlainLoops = List<SharedLoops<List<VelocityDivergence>, DivergenceSum,
+                                    ByDimension<List<>, List<CubicSpline>, List<CubicSpline, Hoct<4>>>>>;
+/// sph, tsph, osph.
+using ClassicLoops =
     List<SharedLoops<List<VelocityDivergence, VelocityCurl>, GradientSums,
-                     ByDimension<List<>, List<CubicSpline>, List<CubicSpline, CoreTriangle, Hoct<4>>>>,
-         SharedLoops<List<VelocityDivergence, VelocityCurl, DensitySlope>, GradientSums,
-                     ByDimension<List<>, List<CubicSpline, Liq>, List<CubicSpline, WendlandC6>>>,
-         SharedLoops<List<VelocityDivergence>, DivergenceSum,
-                     ByDimension<List<>, List<CubicSpline>, List<CubicSpline, Hoct<4>>>>,
-         SharedLoops<List<VelocityDivergence, DensitySlope>, DivergenceSum,
-                     ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>>,
-         SharedLoops<List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>, TermSet<>,
+                     ByDimension<List<>, List<CubicSpline>, List<CubicSpline, CoreTriangle, Hoct<4>>>>>;
+/// gadget2, v10: with Balsara's factor and without.
+using GradHLoops = List<SharedLoops<List<VelocityDivergence, VelocityCurl, DensitySlope>, GradientSums,
+                                    ByDimension<List<>, List<CubicSpline, Liq>, List<CubicSpline, WendlandC6>>>,
+                        SharedLoops<List<VelocityDivergence, DensitySlope>, DivergenceSum,
+                                    ByDimension<List<>, List<CubicSpline>, List<CubicSpline>>>>;
+/// sphs; sphs-conservative.
+using FittedLoops =
+    List<SharedLoops<List<VelocityDivergence, VelocityCurl, GradVelocityDivergence>, TermSet<>,
                      ByDimension<List<>, List<Hoct<4>, WendlandC6>, List<Hoct<4>, WendlandC2, BSpline<5>, Liq>>>,
          SharedLoops<List<VelocityDivergence, VelocityCurl, DensitySlope, GradVelocityDivergence>, TermSet<>,
                      ByDimension<List<>, List<>, List<Hoct<4>>>>>;
+using AllSharedLoops = Union<PlainLoops, ClassicLoops, GradHLoops, FittedLoops>;
 
 namespace detail {
 template <class L, class K, class DensitySums, class... Shared>

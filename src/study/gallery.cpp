@@ -39,7 +39,7 @@ struct GalleryRun {
   fs::path thumbnail() const { return folder / "thumbnail.png"; }
 };
 
-KeyTexts keys_of(const GalleryRun& shown) {
+KeyTexts keys_of_tile(const GalleryRun& shown) {
   KeyTexts keys{{"output.snapshots", "1"}};
   for (const std::string& text : shown.tile.keys) {
     const std::size_t sign = text.find('=');
@@ -64,7 +64,7 @@ GalleryRun show(const Scene& scene, const fs::path& gallery, int threads) {
   GalleryRun shown{&scene, scene.gallery(), gallery / "runs" / scene.name()};
   fs::create_directories(shown.folder.parent_path());
   const fs::path log = shown.folder.string() + ".log";
-  const int code = run_child(run_arguments(scene.name(), keys_of(shown), shown.folder, threads), log);
+  const int code = run_child(run_arguments(scene.name(), keys_of_tile(shown), shown.folder, threads), log);
   if (code != ExitCode::done) {
     shown.failure = reason_of(code, log);
     return shown;
@@ -103,7 +103,7 @@ std::string page_of(const std::vector<GalleryRun>& tiles) {
     const bool there = shown.failure.empty();
     const std::string name = shown.scene->name();
     std::string command = "sphk run " + name;
-    for (const auto& [key, value] : keys_of(shown)) command += fmt::format(" --set {}={}", key, value);
+    for (const auto& [key, value] : keys_of_tile(shown)) command += fmt::format(" --set {}={}", key, value);
     body += fmt::format(
         "<figure>{}<figcaption><b>{}</b>: {}<br>{}<br><details><summary>command</summary><code>{}</code></details>"
         "</figcaption></figure>\n",

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "src/schemes/compiled_rows.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/compiled_schemes.hpp"
 #include "tests/engine/brute_force.hpp"
@@ -121,10 +122,8 @@ std::vector<Given> idle_numbers(const std::string& scheme) {
         {"dissipation.mass"},
         {"viscosity.alpha", "viscosity.beta", "conductivity.alpha", "dissipation.entropy"}}) {
     Given numbers;
-    for (const Instantiation& row : compiled_schemes())
-      for (const Number* number : row.numbers)
-        if (row.scheme->name == scheme && std::ranges::find(zero, std::string(number->key)) != zero.end())
-          numbers.set(number->key, 0);
+    for (const Number* number : scheme_entry(scheme).numbers)
+      if (std::ranges::find(zero, std::string(number->key)) != zero.end()) numbers.set(number->key, 0);
     if (!numbers.values().empty()) ways.push_back(numbers);
   }
   return ways;
@@ -138,7 +137,7 @@ bool leaves_all_out(const std::string& scheme) {
 
 TEST(LeavingOutOfAll, NothingIdleIsComputedWithTheUsualKernelsOf2DAnd3D) {
   int tried = 0;
-  for (const Instantiation& row : compiled_schemes()) {
+  for (const Instantiation& row : compiled_rows()) {
     if (!row.complete || row.kernel || row.dimension == 1 || !leaves_all_out(row.scheme->name) || row.scheme->hidden)
       continue;
     ParticleSet gas = shaken_lattice(row.dimension, {8, 8, 8}, 0.3, true, 3);

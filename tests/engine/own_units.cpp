@@ -6,6 +6,7 @@
 #include "src/engine/errors.hpp"
 #include "src/engine/scaled_simulation.hpp"
 #include "src/engine/step_errors.hpp"
+#include "src/schemes/compiled_rows.hpp"
 #include "src/schemes/registry.hpp"
 #include "tests/engine/brute_force.hpp"
 #include "tests/engine/units.hpp"
@@ -23,7 +24,7 @@ class OwnUnits : public testing::Test {
   };
   static std::vector<Run> runs(int dimension) {
     std::vector<Run> all;
-    for (const Instantiation& row : compiled_schemes()) {
+    for (const Instantiation& row : compiled_rows()) {
       if (row.dimension != dimension || row.kernel || !row.complete || row.scheme->hidden) continue;
       SimulationSettings s{.scheme = row.scheme->name, .kernel = "wc2", .precision = row.precision};
       s.energy = row.energy;

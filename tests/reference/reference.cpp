@@ -99,7 +99,7 @@ void compare(const char* kernel, double neighbours, const Given& numbers = {}) {
                               .all_terms = true,
                               .own_units = Scale{}};
   settings.precision = "double";
-  settings = resolved(settings, 3, compiled_schemes());
+  settings = resolved(settings, 3);
   SCOPED_TRACE(settings.scheme + " " + settings.energy + " " + kernel);
   const SavedState reference = make_run<BaseLayout<typename S::Layout>>(
                                    gas, settings, std::make_unique<Reference<S>>(detail::make_kernel<K>(kernel)))

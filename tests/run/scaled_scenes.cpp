@@ -52,9 +52,8 @@ std::vector<Case> cases() {
 
 /// All numbers of the settings that have a unit, in the other ones.
 SimulationSettings settings_in(SimulationSettings settings, int dimension, const Units& units) {
-  const SchemeFacts& scheme = scheme_facts(settings.scheme, compiled_schemes());
-  const std::vector<const Number*> numbers = numbers_of(scheme, compiled_schemes());
-  settings = resolved(settings, dimension, compiled_schemes());
+  const std::vector<const Number*>& numbers = scheme_entry(settings.scheme).numbers;
+  settings = resolved(settings, dimension);
   settings.h_max *= units.length;
   settings.max_dt *= units.time;
   for (const Number* number : numbers) {

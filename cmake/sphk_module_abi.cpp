@@ -1,0 +1,4 @@
+#include <sphk_abi.hpp>
+
+/// Linked to every module (src/schemes/shared_object.cpp).
+extern "C" const char sphk_abi[] = SPHK_ABI;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "src/schemes/catalogue.hpp"
+#include "src/schemes/instantiation.hpp"
+
+namespace sphk {
+
+/// The compiled recipes of a scheme of known_schemes(), in so many dimensions and with that precision.
+const Instantiations& compiled_rows(const std::string& scheme, int dimension, const std::string& precision);
+/// Those of all schemes, dimensions and precisions.
+Instantiations compiled_rows();
+
+/// A simulation under a scheme of one's own (make_simulation.hpp).
+std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings,
+                                            const SchemeEntry& scheme, const Instantiations& rows);
+
+}  // namespace sphk

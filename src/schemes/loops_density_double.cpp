@@ -1,9 +1,0 @@
-#include "src/schemes/loops.hpp"
-
-namespace sphk {
-
-[[gnu::used]] static const auto line = density_loops<1, double>(AllSharedLoops{});
-[[gnu::used]] static const auto plane = density_loops<2, double>(AllSharedLoops{});
-[[gnu::used]] static const auto space = density_loops<3, double>(AllSharedLoops{});
-
-}  // namespace sphk
