@@ -2,7 +2,8 @@
 # bash cmake/sphk.sh run SCENE... | test [ctest option...] | any other sub-command of sphk
 #
 # Installs the Debian packages that are missing (as root, or with a sudo that asks no password), gets Kokkos,
-# configures, builds what has changed, and runs. Works from any folder and without a terminal.
+# configures, builds what has changed, and runs. Works from any folder and without a terminal. The program is linked into
+# ~/.local/bin, as `sphk`, where nothing else has that name. What apt, CMake and the compiler say goes to build/*.log.
 #   SPHK_PRESET  a name in cmake/presets (openmp), each with its own build folder
 #   SPHK_JOBS    compilers at a time (one a core, 2 GB of memory each)
 set -euo pipefail
@@ -15,6 +16,18 @@ packages=(cmake g++ ninja-build libhdf5-dev libcli11-dev libtoml11-dev libfmt-de
 
 say() { echo "sphk: $*" >&2; }
 stop() { say "$@"; exit 1; }
+
+# logged LOG COMMAND...: the command's words go to build/LOG; the end of them to the terminal where it fails.
+logged() {
+  local log="$build/$1"
+  shift
+  mkdir -p "$build"
+  if ! "$@" </dev/null >"$log" 2>&1; then
+    tail -n 25 "$log" >&2
+    say "the whole log is $log"
+    return 1
+  fi
+}
 
 # The packages of the list that are not installed, one a line.
 missing_packages() {
@@ -34,9 +47,10 @@ install_packages() {
 and then this command again."
     apt=(sudo -n apt-get)
   fi
-  say "installing with apt-get: $missing"
+  say "installing packages, a minute or two: $missing"
   # shellcheck disable=SC2086  # one word a package
-  { "${apt[@]}" -qq update && "${apt[@]}" -qq -y --no-install-recommends install $missing; } </dev/null >&2 ||
+  { logged packages.log "${apt[@]}" -qq update &&
+    logged packages.log "${apt[@]}" -qq -y --no-install-recommends install $missing; } ||
     stop "apt-get could not install them. Mend what it says above, run
   $by_hand
 and then this command again."
@@ -49,13 +63,9 @@ configure() {
   [[ -f $build/build.ninja || -f $build/Makefile ]] && return 0  # cmake runs by itself when a file of it changes
   local generator=()
   command -v ninja >/dev/null && generator=(-G Ninja)
-  mkdir -p "$build"
-  say "configuring in $build"
-  if ! cmake "${generator[@]}" -C "$project/cmake/presets/$preset.cmake" -S "$project" -B "$build" </dev/null 2>&1 |
-    tee "$build/configure.log" | sed -un 's/^-- sphk:/sphk:/p' >&2; then
-    cat "$build/configure.log" >&2
-    stop "cmake could not configure; the reason is above and in $build/configure.log"
-  fi
+  say "configuring, and compiling Kokkos the first time, up to a minute"
+  logged configure.log cmake "${generator[@]}" -C "$project/cmake/presets/$preset.cmake" -S "$project" -B "$build" ||
+    stop "cmake could not configure; the reason is above"
 }
 
 jobs() {
@@ -66,13 +76,23 @@ jobs() {
   echo $((by_memory < 1 ? 1 : by_memory < cores ? by_memory : cores))
 }
 
-# build TARGET: says nothing when nothing has changed.
+# build TARGET HOW_LONG: says nothing when nothing has changed.
 build_target() {
   if [[ -f $build/build.ninja ]] && ninja -C "$build" -n "$1" 2>/dev/null | grep -q 'no work to do'; then
     return 0
   fi
-  cmake --build "$build" --parallel "${SPHK_JOBS:-$(jobs)}" --target "$1" </dev/null >&2 ||
-    stop "the build failed; the first error above says where"
+  say "compiling $1, $2 the first time"
+  logged build.log cmake --build "$build" --parallel "${SPHK_JOBS:-$(jobs)}" --target "$1" ||
+    stop "the build failed; the first error above or in the log says where"
+}
+
+# Makes `sphk` a command, or says how to call it in what it prints (SPHK_COMMAND).
+link_command() {
+  local link="$HOME/.local/bin/sphk"
+  if [[ ! -e $link || -L $link ]]; then
+    mkdir -p "$HOME/.local/bin" 2>/dev/null && ln -sfn "$build/bin/sphk" "$link" 2>/dev/null || true
+  fi
+  [[ $(command -v sphk) -ef $build/bin/sphk ]] || export SPHK_COMMAND="bash $0"
 }
 
 [[ $# -gt 0 ]] || set -- --help
@@ -80,8 +100,9 @@ install_packages
 configure
 if [[ $1 == test ]]; then
   shift
-  build_target all
+  build_target all "some 20 minutes"
   exec ctest --test-dir "$build" --output-on-failure --label-exclude "long|readers|arm64|docs" "$@"
 fi
-build_target sphk
+build_target sphk "two minutes"
+link_command
 exec "$build/bin/sphk" "$@"

@@ -1,6 +1,7 @@
 # Schemes as shared objects: lib/sphk/NAME_Dd_PRECISION.so beside the libraries, loaded when asked for. What is not built
 # is compiled when a run asks for it, in the build folder alone; `sphk_modules` builds all.
 
+include(GNUInstallDirs)
 set(sphk_library_folder "${PROJECT_BINARY_DIR}/lib")
 set(sphk_module_folder "${sphk_library_folder}/sphk")
 
@@ -35,15 +36,14 @@ function(sphk_is_module target)
                         INSTALL_RPATH "$ORIGIN;$ORIGIN/..")
   target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,-z,defs>)
   add_dependencies(sphk_modules ${target})
-  if(SPHK_INSTALL)
-    install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/sphk" OPTIONAL)
-  endif()
 endfunction()
 
 # A library of loops that schemes share.
 function(sphk_loops_library name sources)
   add_library(sphk_loops_${name} SHARED ${sources})
+  set_property(GLOBAL APPEND PROPERTY sphk_module_libraries sphk_loops_${name})
   target_link_libraries(sphk_loops_${name} PRIVATE sphk_engine sphk_schemes)
+  target_link_libraries(sphk_loops INTERFACE sphk_loops_${name})
   precompile(sphk_loops_${name})
   sphk_is_module(sphk_loops_${name})
 endfunction()
@@ -51,6 +51,9 @@ endfunction()
 function(sphk_scheme_module name sources loops)
   add_library(${name} MODULE ${sources} $<TARGET_OBJECTS:sphk_module_abi>)
   set_target_properties(${name} PROPERTIES PREFIX "")
+  if(SPHK_INSTALL)
+    install(TARGETS ${name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/sphk")
+  endif()
   target_link_libraries(${name} PRIVATE sphk_engine sphk_schemes ${loops})
   precompile(${name})
   sphk_is_module(${name})

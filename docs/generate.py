@@ -45,16 +45,15 @@ def option_rows(options):
 def commands():
     """Every command with its options, and what its help says below them."""
     tree = command_of(os.environ["SPHK_PROGRAM"])
-    pages = []
+    pages = ["Every command takes these as well:\n\n" + table(["option", "what"], option_rows(tree.own_options()))]
     for command in list(tree.everyone())[1:]:
         words = " ".join(["sphk", *command.words])
         usage = re.sub(r"\(\d+x\)", "", command.usage)
         pages.append(f"## {words}\n\n{cell(command.summary[0].upper() + command.summary[1:])}.\n\n```\n{usage}\n```\n")
         if command.positionals:
             pages.append(table(["argument", "what"], option_rows(command.positionals)))
-        own = [option for option in command.options if "--help" not in option.names]
-        if own:
-            pages.append(table(["option", "what"], option_rows(own)))
+        if command.own_options():
+            pages.append(table(["option", "what"], option_rows(command.own_options())))
         if command.footer:
             pages.append(f"```text\n{command.footer}\n```\n")
     return "\n".join(pages)

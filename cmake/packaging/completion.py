@@ -58,10 +58,11 @@ def bash(root, scenes, schemes):
     cases, arguments = [], []
     for command in root.everyone():
         name = "".join(f" {word}" for word in command.words)
-        options = " ".join(name for option in command.options for name in option.names)
+        taken = command.options if command is root else command.options + root.own_options()
+        options = " ".join(name for option in taken for name in option.names)
         words = " ".join(first_words(command, scenes))
         cases.append(f'    "{name}") options="{options}" words="{words}" ;;')
-        for option in command.options:
+        for option in taken:
             pattern = "|".join(f'"{name} {one}"' for one in option.names)
             if found := choices(option, schemes):
                 arguments.append(f'    {pattern}) options="" words="{" ".join(found)}" ;;')
@@ -89,9 +90,10 @@ def zsh_spec(option, schemes):
     return f"{head}[{meaning}]{action}'"
 
 
-def zsh_function(command, scenes, schemes):
+def zsh_function(command, root, scenes, schemes):
     name = "_".join(["_sphk", *command.words])
-    specs = [zsh_spec(option, schemes) for option in command.options]
+    taken = command.options if command is root else command.options + root.own_options()
+    specs = [zsh_spec(option, schemes) for option in taken]
     if command.commands:
         listed = " ".join(f"'{below.words[-1]}:{zsh_text(below.summary)}'" for below in command.commands)
         cases = " ".join(f"{below.words[-1]}) {name}_{below.words[-1]} ;;" for below in command.commands)
@@ -109,7 +111,7 @@ def zsh_function(command, scenes, schemes):
 
 
 def zsh(root, scenes, schemes):
-    functions = [zsh_function(command, scenes, schemes) for command in root.everyone()]
+    functions = [zsh_function(command, root, scenes, schemes) for command in root.everyone()]
     return "\n".join(["#compdef sphk", *functions, '_sphk "$@"', ""])
 
 

@@ -27,6 +27,10 @@ class Command:
     footer: str = ""
     commands: list = field(default_factory=list)
 
+    def own_options(self):
+        """Without those that every command has for itself."""
+        return [option for option in self.options if not {"--help", "--version"} & set(option.names)]
+
     def everyone(self):
         """Itself and all below it."""
         yield self

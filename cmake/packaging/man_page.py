@@ -31,7 +31,7 @@ def section(command):
     """A command: what it does, its arguments and options, and what its help says below them."""
     words = " ".join(["sphk", *command.words])
     parts = [f".SS {roff(words)}\n{roff(command.summary)}.\n", *entries(command.positionals)]
-    parts += entries(option for option in command.options if "--help" not in option.names)
+    parts += entries(command.own_options())
     if command.footer:
         parts.append(f".PP\n{verbatim(command.footer)}")
     return "".join(parts)

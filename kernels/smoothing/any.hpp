@@ -17,8 +17,8 @@ template <class... Kernel>
 struct EachOf<List<Kernel...>> : Kernel... {};
 }  // namespace detail
 
-/// Any kernel of the list in closed form, or a module's, chosen at run time: for loops that run so seldom that one for all kernels,
-/// compiled once, is worth a call a pair.
+/// Any kernel of the list in closed form, or a module's, chosen at run time: for loops that run so seldom that one for
+/// all kernels, compiled once, is worth a call a pair.
 class AnyKernel : detail::EachOf<AnyOfKernels> {
  public:
   template <class Kernel>

@@ -11,17 +11,30 @@
 #include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
 #include "src/run/platform.hpp"
+#include "src/schemes/modules.hpp"
 
 namespace sphk {
 
 namespace {
+
+/// --module FILE, of every command, and SPHK_MODULE_PATH.
+void add_modules(CLI::App& root) {
+  CLI::Option* option = root.add_option_function<std::vector<std::string>>(
+      "--module", [](const std::vector<std::string>& files) { add_to_module_path(files); },
+      "a shared object with a scheme, smoothing kernel or scene of one's own; as often as there are; those of the "
+      "environment's SPHK_MODULE_PATH (files and folders, a colon between) come first");
+  option->type_name("FILE")->allow_extra_args(false)->take_all();
+  for (CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; })) command->fallthrough();
+}
 
 /// The parser's message, the nearest option or command to each word that is none, and where the help is.
 std::string explain(const CLI::App& root, const CLI::ParseError& error, int argc, char** argv) {
   const CLI::App* app = &root;
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
   Settings known;
-  for (const CLI::Option* option : app->get_options())
+  std::vector<const CLI::Option*> all = app->get_options();
+  all.push_back(root.get_option("--module"));
+  for (const CLI::Option* option : all)
     for (const std::string& name : option->get_lnames())
       if (!known.has("--" + name)) known.declare({.name = "--" + name, .value = false, .doc = "", .choices = {}});
   for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
@@ -49,6 +62,7 @@ Request parse_command_line(int argc, char** argv) {
   for (const auto add : {add_run, add_list, add_show, add_info, add_ic, add_plot, add_rates, add_stability, add_study,
                          add_gallery, add_extremes, add_tables})
     add(root, *options);
+  add_modules(root);
   root.footer(
       "Three commands from nothing to a picture:\n  sphk list\n  sphk run sod\n  sphk plot sod-run\n\n"
       "`sphk COMMAND --help` tells more about each command.");
@@ -60,6 +74,7 @@ Request parse_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw InputError(explain(root, error, argc, argv));
   }
+  load_modules();
   Request request = options->request;
   request.act = [options, act = request.act] { return act(); };
   return request;

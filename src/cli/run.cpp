@@ -24,9 +24,10 @@ namespace {
 
 std::string closing_words(const RunResult& result) {
   const std::string folder = result.folder.string();
-  if (result.record.finished) return fmt::format("{} is complete; see it with: sphk plot {}", folder, folder);
-  return fmt::format("stopped at t = {:.6g}, after step {}; go on with: sphk run --resume {}", result.record.time,
-                     result.record.steps, folder);
+  if (result.record.finished)
+    return fmt::format("{} is complete; see it with: {} plot {}", folder, command_name(), folder);
+  return fmt::format("stopped at t = {:.6g}, after step {}; go on with: {} run --resume {}", result.record.time,
+                     result.record.steps, command_name(), folder);
 }
 
 /// The last line of a JSON log.

@@ -7,6 +7,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/engine/errors.hpp"
+#include "src/engine/places.hpp"
 #include "src/report/process.hpp"
 #include "src/run/stop_signal.hpp"
 #include "src/study/study_compare.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 /// What a scheme, a term, a smoothing kernel or a scene of one's own needs beside <sphk.hpp>
-/// (docs/examples/own_scheme.cpp).
+/// (docs/examples/own_scheme.hpp).
 
 #include <sphk.hpp>
 

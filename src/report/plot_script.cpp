@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/places.hpp"
 #include "src/report/process.hpp"
 
 namespace sphk {

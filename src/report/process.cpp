@@ -25,10 +25,6 @@ fs::path this_executable() {
   return fs::read_symlink("/proc/self/exe");
 }
 
-fs::path shared_folder() {
-  return this_executable().parent_path().parent_path() / "share/sphk";
-}
-
 std::string host_name() {
   std::array<char, 256> name{};
   return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
@@ -47,11 +43,25 @@ std::string shell_text(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string command_of_this_process() {
+namespace {
+
+std::vector<std::string> words_of_this_process() {
   std::ifstream file("/proc/self/cmdline");  // proc(5): every word ends with a zero byte
   std::vector<std::string> words;
   for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
-  return shell_text(words);
+  return words;
+}
+
+}  // namespace
+
+std::string command_of_this_process() {
+  return shell_text(words_of_this_process());
+}
+
+std::string command_name() {
+  if (const char* name = std::getenv("SPHK_COMMAND")) return name;
+  const std::vector<std::string> words = words_of_this_process();
+  return words.empty() ? "sphk" : shell_text({words.front()});
 }
 
 std::string start_of_process(pid_t id) {

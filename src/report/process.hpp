@@ -13,10 +13,6 @@ namespace sphk {
 /// The file of this executable.
 std::filesystem::path this_executable();
 
-/// share/sphk beside the folder of this executable, in the build tree and where it is installed: the drawing scripts
-/// and the studies that have names.
-std::filesystem::path shared_folder();
-
 /// The machine that processes run on, as it names itself in its network.
 std::string host_name();
 
@@ -24,6 +20,8 @@ std::string host_name();
 std::string shell_text(const std::vector<std::string>& words);
 /// The words that this process was started with, as a shell takes them; empty where the machine does not tell.
 std::string command_of_this_process();
+/// What the user types to start this program: the environment's SPHK_COMMAND, or the first of these words.
+std::string command_name();
 
 /// When a process began, in ticks since the machine did; empty where there is none, or the machine does not tell.
 std::string start_of_process(pid_t id);

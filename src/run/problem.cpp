@@ -275,6 +275,8 @@ Settings with_lattice(const Settings& settings) {
   const auto key = std::ranges::find(copy.keys(), "scene.lattice", &Key::name);
   if (key != copy.keys().end() && std::ranges::find(key->choices, "cubic") != key->choices.end())
     copy.set("scene.lattice", std::string("cubic"), Origin::scene);
+  const auto temperatures = std::ranges::find(copy.keys(), "scene.temperatures", &Key::name);
+  if (temperatures != copy.keys().end()) copy.set("scene.temperatures", std::string("exact"), Origin::scene);
   return copy;
 }
 

@@ -58,8 +58,8 @@ Problem resolve_run(const SceneFile& file, const std::filesystem::path& snapshot
 /// What is to be said of the file that a problem begins with, and of its units.
 std::vector<std::string> input_remarks(const Problem& problem);
 
-/// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one), for
-/// commands that only need their number and state.
+/// A copy of the settings with the scene's cheapest arrangement of particles (a lattice, where it offers one, and
+/// temperatures that need no density), for commands that only need their number and state.
 Settings with_lattice(const Settings& settings);
 
 }  // namespace sphk

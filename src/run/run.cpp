@@ -84,9 +84,11 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   const KernelPair pair{s.kernel, s.neighbours};
   const auto& [kernel, neighbours] =
       scheme_entry(s.scheme).facts->usual[static_cast<std::size_t>(particles.dimension - 1)];
-  for (const std::string& remark : {stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma),
-                                    sampling_remark(pair, {kernel, neighbours}, particles.dimension),
-                                    courant_remark(s.courant, pair, particles.dimension, s.gamma)})
+  const bool own_choice = s.kernel != kernel || s.neighbours != neighbours;
+  for (const std::string& remark :
+       {own_choice ? stability_remark(s.kernel, s.neighbours, particles.dimension, s.gamma) : "",
+        sampling_remark(pair, {kernel, neighbours}, particles.dimension),
+        courant_remark(s.courant, pair, particles.dimension, s.gamma)})
     if (!remark.empty()) record.warnings.push_back(remark);
   for (const std::string& remark : limits_met(problem, particles)) record.warnings.push_back(remark);
   const auto periodic = std::ranges::count(particles.box.periodic, true);

@@ -14,8 +14,9 @@ namespace sphk {
 using Relaxer = std::function<std::vector<Array3>(int dimension, const Array3& size, std::vector<Array3> start)>;
 
 /// Glass: irregular positions of even density and without a preferred direction, counts[k] per axis, periodic, in units
-/// of the mean spacing (the box is [0, counts)). Relaxed from one random start, then kept in the folder `cache`; a file
-/// there that does not hold this glass is replaced. An empty `cache` keeps nothing.
+/// of the mean spacing (the box is [0, counts)). Those of the usual scenes come with sphk (src/scenes/glasses); others
+/// are relaxed from one random start, then kept in the folder `cache`; a file there that does not hold this glass is
+/// replaced. An empty `cache` keeps nothing.
 std::vector<Array3> glass(int dimension, const GridCounts& counts, const Relaxer& relax,
                           const std::filesystem::path& cache);
 
@@ -37,7 +38,7 @@ GridCounts glass_tile(const GridCounts& counts, int dimension);
 /// with friction, until the scatter of the density stops falling: below half a per cent, after some 150 steps.
 std::vector<Array3> relax_with_engine(int dimension, const Array3& size, std::vector<Array3> start);
 
-/// glass-<D>d-<counts>-v1.bin, such as glass-3d-32x32x32-v1.bin. The version changes with the way glasses are made.
+/// glass-<D>d-<counts>-v2.bin, such as glass-3d-32x32x32-v2.bin. The version changes with the way glasses are made.
 std::string glass_file_name(int dimension, const GridCounts& counts);
 
 /// The positions in a cached glass; nothing where the file is absent, of another shape, cut short or damaged.

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "src/engine/errors.hpp"
 #include "src/engine/hint.hpp"
+#include "src/schemes/modules.hpp"
 
 namespace sphk {
 
@@ -20,8 +22,11 @@ int Scene::dimension(const Settings& settings) const {
 
 const std::vector<const Scene*>& scenes() {
 #define SPHK_ADDRESS_OF_SCENE(name) &name##_scene,
-  static const std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};
+  static std::vector<const Scene*> table{SPHK_SCENES(SPHK_ADDRESS_OF_SCENE)};
 #undef SPHK_ADDRESS_OF_SCENE
+  static const std::size_t of_this_build = table.size();
+  table.resize(of_this_build);
+  std::ranges::copy(scenes_of_modules(), std::back_inserter(table));
   return table;
 }
 

@@ -1,5 +1,4 @@
 // Schemes as shared objects beside the library: NAME_2d_mixed.so and so on, in the folder sphk.
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -11,6 +10,7 @@
 #include <fstream>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/places.hpp"
 #include "src/schemes/compiled.hpp"
 #include "src/schemes/shared_object.hpp"
 
@@ -21,9 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path module_folder() {
-  Dl_info library;
-  dladdr(reinterpret_cast<const void*>(&rows_of_build), &library);
-  return fs::canonical(library.dli_fname).parent_path() / "sphk";
+  return library_folder() / "sphk";
 }
 
 /// In a build folder, how modules are compiled; nothing elsewhere.

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "src/schemes/instantiate.hpp"
 #include "src/schemes/compiled_rows.hpp"
+#include "src/schemes/instantiate.hpp"
 #include "src/schemes/scheme_entry.hpp"
 
 namespace sphk {
 
-/// A simulation under a scheme of one's own (docs/examples/own_scheme.cpp): a struct with `facts` and a list of
+/// A simulation under a scheme of one's own (docs/examples/own_scheme.hpp): a struct with `facts` and a list of
 /// Recipes, as those in src/schemes. It is compiled here, for 1D, 2D and 3D where its recipes have kernels there. The
 /// settings leave `scheme` alone: it is this one. Throws InputError as the other make_simulation does.
 template <class S>

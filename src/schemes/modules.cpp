@@ -68,20 +68,26 @@ Instantiations find_rows(const std::string& scheme, int dimension, const std::st
   return rows_of_build(scheme, dimension, precision);
 }
 
-}  // namespace
-
 void load_module(const fs::path& file) {
   if (!fs::is_regular_file(file))
     throw InputError(fmt::format("module {}: there is no such file; give the path of a shared object", file.string()));
   if (!loaded().files.insert(fs::canonical(file)).second) return;
-  const SharedObject object(file);
-  const auto fill = object.function<void(Module&)>("sphk_module");
+  const auto fill = SharedObject(file).function<void(Module&)>("sphk_module");
   Module mine;
   fill(mine);
   take(std::move(mine), file);
 }
 
-void load_modules_of_environment() {
+}  // namespace
+
+void add_to_module_path(const std::vector<std::string>& files) {
+  const char* before = std::getenv("SPHK_MODULE_PATH");
+  std::string path = before ? before : "";
+  for (const std::string& file : files) path += (path.empty() ? "" : ":") + fs::absolute(file).string();
+  setenv("SPHK_MODULE_PATH", path.c_str(), 1);
+}
+
+void load_modules() {
   const char* path = std::getenv("SPHK_MODULE_PATH");
   std::istringstream places(path ? path : "");
   for (std::string place; std::getline(places, place, ':');) {

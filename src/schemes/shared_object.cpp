@@ -7,7 +7,6 @@
 #include <iterator>
 #include <sphk_abi.hpp>
 #include <string>
-#include <string_view>
 
 #include "src/engine/errors.hpp"
 
@@ -15,27 +14,15 @@ namespace sphk {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Of the headers that the object was compiled against (sphk_abi.hpp), or nothing.
-std::string_view headers_of(void* handle) {
-  const void* text = handle ? dlsym(handle, "sphk_abi") : nullptr;
-  return text ? static_cast<const char*>(text) : std::string_view{};
-}
-
-/// The system's own sentence says which symbol or library is missing.
-void* open(const fs::path& file) {
-  void* handle = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) throw InputError(fmt::format("module {}: it cannot be loaded: {}", file.string(), dlerror()));
-  return handle;
-}
-
-}  // namespace
-
-SharedObject::SharedObject(const fs::path& file) : file_(file), handle_(open(file)) {
-  if (headers_of(handle_) != SPHK_ABI)
+SharedObject::SharedObject(const fs::path& file) : file_(file) {
+  if (!fits_this_build(file))
     throw InputError(
-        fmt::format("module {}: it was compiled against another sphk than this one; compile it again", file.string()));
+        fmt::format("module {}: it was not compiled against this sphk; compile it (again) with the headers of the one "
+                    "that loads it",
+                    file.string()));
+  handle_ = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
+  // The system's own sentence says which symbol or library is missing.
+  if (!handle_) throw InputError(fmt::format("module {}: it cannot be loaded: {}", file.string(), dlerror()));
 }
 
 void* SharedObject::symbol(const char* name) const {

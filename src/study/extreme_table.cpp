@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/places.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/io/reader.hpp"
 #include "src/report/process.hpp"

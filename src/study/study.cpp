@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/engine/errors.hpp"
+#include "src/engine/places.hpp"
 #include "src/io/atomic_file.hpp"
 #include "src/report/history.hpp"
 #include "src/report/machine.hpp"

@@ -132,7 +132,7 @@ class Resume(unittest.TestCase):
                 open(self.path(out, "stop"), "w", encoding="utf-8").close()
             text = running.communicate()[0]
             self.assertEqual(running.returncode, 75, text)
-            self.assertIn("go on with: sphk run --resume " + out, text)
+            self.assertRegex(text, r"go on with: \S*sphk run --resume " + out)
             self.assertTrue(os.path.exists(self.path(out, "checkpoint_a.hdf5")))
         running = self.start(*run, "--out", "goes-on")
         while running.poll() is None and not os.path.exists(self.path("goes-on", "snap_0000.hdf5")):

@@ -33,13 +33,15 @@ def lost_links():
                 yield f"{path.relative_to(ROOT)} links to {link}, which is not there"
 
 
-def fault(words, commands, scenes):
+def fault(words, root, scenes):
     """What the program would not take, or nothing."""
+    commands = {command.words[0]: command for command in root.commands}
     if words[0] == "test" or words[0].startswith("--"):
         return None  # the script's own, and the program's
     if words[0] not in commands:
         return f"there is no command {words[0]}"
-    options = {name for option in commands[words[0]].options for name in option.names}
+    taken = commands[words[0]].options + root.own_options()
+    options = {name for option in taken for name in option.names}
     for word in words[1:]:
         if re.match(r"--?[a-z]", word) and word.split("=")[0] not in options:
             return f"sphk {words[0]} has no option {word}"
@@ -50,14 +52,14 @@ def fault(words, commands, scenes):
 
 
 def main():
-    commands = {command.words[0]: command for command in command_of(sys.argv[1]).commands}
+    root = command_of(sys.argv[1])
     listed = subprocess.run([sys.argv[1], "list"], capture_output=True, text=True, check=True).stdout
     scenes = {line.split()[0] for line in listed.split("\n\n")[0].splitlines()[1:]}
     found = list(calls())
     assert len(found) > 60, f"only {len(found)} commands were found: has the fence changed?"
     faults = list(lost_links())
     for path, words in found:
-        if what := fault(words, commands, scenes):
+        if what := fault(words, root, scenes):
             faults.append(f"{path}: sphk {' '.join(words)}: {what}")
     print("\n".join(faults) or f"{len(found)} commands are as the program has them, and links lead somewhere")
     sys.exit(len(faults) > 0)

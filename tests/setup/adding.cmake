@@ -21,12 +21,15 @@ function(replace file old new)
 endfunction()
 
 # The examples' own definitions, as files of the tree.
-file(READ "${SOURCE}/docs/examples/own_scheme.cpp" example)
+file(READ "${SOURCE}/docs/examples/own_scheme.hpp" example)
 function(cut result from to)
   string(FIND "${example}" "${from}" begin)
   string(FIND "${example}" "${to}" end)
+  if("${to}" STREQUAL "")
+    string(LENGTH "${example}" end)
+  endif()
   if(begin EQUAL -1 OR end LESS begin)
-    message(FATAL_ERROR "own_scheme.cpp has no part from \"${from}\" to \"${to}\"")
+    message(FATAL_ERROR "own_scheme.hpp has no part from \"${from}\" to \"${to}\"")
   endif()
   math(EXPR length "${end} - ${begin}")
   string(SUBSTRING "${example}" ${begin} ${length} part)
@@ -34,7 +37,7 @@ function(cut result from to)
 endfunction()
 cut(kernel "/// w(q) = (1-q)^3." "/// A field that")
 cut(term "/// A field that" "/// SPH with friction")
-cut(scene "/// A standing wave" "int main")
+cut(scene "/// A standing wave" "")
 
 file(WRITE "${tree}/kernels/smoothing/cubed.hpp" "#pragma once
 #include \"kernels/smoothing/norm.hpp\"

@@ -41,7 +41,7 @@ only=${only//-/_}
 build="$work/build"
 cmake --toolchain "$source/cmake/aarch64-linux-gnu.cmake" -S "$source" -B "$build" -DSPHK_BENCH=OFF \
   "-DSPHK_SCHEMES=${only// /;}" "$@"
-cmake --build "$build" --parallel "${SPHK_JOBS:-2}" --target core cells terms passes sphk
+cmake --build "$build" --parallel "${SPHK_JOBS:-2}" --target core cells terms passes sphk sphk_modules
 ctest --test-dir "$build" --output-on-failure --no-tests=error --tests-regex '^(core|cells|terms|passes)$'
 
 same() { "$python" "$source/tests/setup/same_fields.py" "$@"; }

@@ -1,1 +1,0 @@
-// What the folders around the engine include of other libraries is precompiled with this file (CMakeLists.txt).
