@@ -2,7 +2,7 @@
 # Every C++ block of README.md and of the pages stands, line by line, in one of the examples that the tests compile.
 cmake_minimum_required(VERSION 3.24)
 
-file(GLOB examples "${SOURCE}/docs/examples/*.cpp")
+file(GLOB examples "${SOURCE}/docs/examples/*.cpp" "${SOURCE}/docs/examples/*.hpp")
 set(texts "")
 foreach(example IN LISTS examples)
   file(READ "${example}" text)
@@ -10,7 +10,7 @@ foreach(example IN LISTS examples)
 endforeach()
 file(GLOB_RECURSE pages "${SOURCE}/docs/*.md")
 set(found 0)
-foreach(page IN ITEMS "${SOURCE}/README.md" LISTS pages)
+foreach(page IN LISTS pages ITEMS "${SOURCE}/README.md")
   file(READ "${page}" text)
   while(text MATCHES "```cpp\n(([^`]|`[^`])*)```")
     set(block "${CMAKE_MATCH_1}")
