@@ -63,8 +63,10 @@ def main():
     html = Path(sys.argv[3]) / "html"
     shutil.rmtree(html, ignore_errors=True)
     build = ["sphinx", "-q", "-W", "-n", "--keep-going", "-d", html.parent / "doctrees"]
-    subprocess.run([sys.executable, "-B", "-m", *build, docs_environment.ROOT / "docs", html],
-                   env={**os.environ, "SPHK_PROGRAM": sys.argv[2]}, check=True)
+    built = subprocess.run([sys.executable, "-B", "-m", *build, docs_environment.ROOT / "docs", html],
+                           env={**os.environ, "SPHK_PROGRAM": sys.argv[2]})
+    if built.returncode:
+        sys.exit("the pages do not build without a warning; what Sphinx says is above")
     found = list(faults(html))
     print("\n".join(found) or f"every link of {html} leads somewhere, and nothing comes from the network")
     sys.exit(len(found) > 0)
