@@ -5,10 +5,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-import environment
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+import pip_environment
+
+# numpy: yt 4.4.3 turns SWIFT's one-element attributes into numbers in a way that newer ones refuse.
+PACKAGES = ["yt", "swiftsimio", "pynbody", "vtk", "h5py", "numpy<2.4"]
 
 if sys.argv[-1] != "within":
-    environment.run_within(sys.argv[2], [*sys.argv, "within"])
+    pip_environment.run_within(sys.argv[2], PACKAGES, [*sys.argv, "within"])
 
 try:
     import numpy as np
@@ -19,7 +23,7 @@ try:
     from with_yt import check_yt
 except ImportError as error:  # a library of the system that one of them wants
     print(f"skipped: a reader does not load here: {error}")
-    sys.exit(environment.SKIPPED)
+    sys.exit(pip_environment.SKIPPED)
 
 
 def main():
