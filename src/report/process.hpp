@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace sphk {
 /// The file of this executable.
 std::filesystem::path this_executable();
 
-/// share/sphk beside the folder of this executable, in the build tree and where it is installed: the drawing scripts
+/// share/sphk beside the folder of this executable, in the build tree and where it is installed: the Python package
 /// and the studies that have names.
 std::filesystem::path shared_folder();
 
@@ -36,6 +37,7 @@ class Process {
   struct Streams {
     std::FILE* input = nullptr;      ///< standard input, from where it stands; null: this process' own
     std::filesystem::path output{};  ///< a new file for standard output and error; empty: this process' own
+    std::map<std::string, std::string> variables{};  ///< of its environment, beside this process' own
   };
 
   /// What `exit_code` says of a program that could not be started, as a shell does; and what it adds to the number of

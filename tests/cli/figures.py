@@ -110,8 +110,8 @@ class Figures(WithRun):
         self.assertIn("different units", refused)  # one colour scale would compare numbers of unlike meaning
 
     def test_labels_have_a_unit_where_there_is_one(self):
-        sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../src/report/plot"))
-        from style import field_label, time_of
+        sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../src/python"))
+        from sphk.figures.style import field_label, time_of
 
         item = {"abscissa": "R", "time": 0.5, "units": {"x": "kpc", "rho": "1e10 Msun kpc^-3", "t": "977.79 Myr"}}
         self.assertEqual(field_label(item, "R"), r"cylindrical radius $R$ [kpc]")

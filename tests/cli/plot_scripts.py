@@ -13,12 +13,10 @@ except ImportError:
     print("skipped: figures need python3-matplotlib and python3-h5py")
     sys.exit(77)
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(sys.argv.pop())), "share/sphk/plot"))
-import field_map  # noqa: E402
-import history  # noqa: E402
-import profiles  # noqa: E402
-from snapshot import Snapshot  # noqa: E402
-from style import label_of, plt  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(sys.argv.pop())), "share/sphk/python"))
+from sphk.figures import field_map, history, profiles  # noqa: E402
+from sphk.figures.snapshot import Snapshot  # noqa: E402
+from sphk.figures.style import label_of, plt  # noqa: E402
 
 SIDE = 24
 

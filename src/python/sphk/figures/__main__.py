@@ -1,5 +1,7 @@
-"""Draws the figures of `sphk plot`: reads a work order (JSON) on standard input, prints the names of the files."""
+"""Draws what a work order (JSON on standard input) asks for, and prints the names of the files. The arguments are the
+packages that this needs: exit code 86 where one of them is missing."""
 
+import importlib.util
 import json
 import os
 import sys
@@ -12,22 +14,18 @@ if not os.access(os.path.expanduser("~"), os.W_OK):
 
     os.environ.setdefault("MPLCONFIGDIR", tempfile.mkdtemp(prefix="sphk-plot-"))
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy  # noqa: F401
-except ImportError:
+if not all(importlib.util.find_spec(package) for package in sys.argv[1:]):
     sys.exit(MISSING_PACKAGE)
 
-from errors import draw_errors
-from field_map import draw_field_maps, draw_frames
-from gallery import draw_gallery
-from history import draw_conservation, draw_history, errors_at, read_history
-from kernels import draw_kernels
-from profiles import draw_one_field, draw_profiles, shared_limits
-from snapshot import Snapshot
-from stability import draw_stability
-from study import draw_speed, draw_study
+from .errors import draw_errors
+from .field_map import draw_field_maps, draw_frames
+from .gallery import draw_gallery
+from .history import draw_conservation, draw_history, errors_at, read_history
+from .kernels import draw_kernels
+from .profiles import draw_one_field, draw_profiles, shared_limits
+from .snapshot import Snapshot
+from .stability import draw_stability
+from .study import draw_speed, draw_study
 
 
 def has_map(item):

@@ -5,8 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.ticker import FuncFormatter, LogLocator
-from snapshot import Snapshot
-from style import NEVER_NEGATIVE, WITHIN_ONE, field_label, plt, save, time_of, unit_of, with_unit
+
+from .snapshot import Snapshot
+from .style import NEVER_NEGATIVE, WITHIN_ONE, field_label, plt, save, time_of, unit_of, with_unit
 
 PIXELS = 320  # along the longer side
 RADIUS = 3.0  # of the weighting kernel, in units of the particles' spacing

@@ -3,9 +3,10 @@ steepest place, |E0|, its components (S12 Fig. 5) and P along the scene's own co
 neighbours are."""
 
 import numpy as np
-from field_map import add_colour_bar, draw_image, images_of
-from profiles import bin_means, draw_errors_of_force, points_of, some_of
-from style import MEAN, PARTICLES, field_label, plt, save, share_limits, time_of, with_unit
+
+from .field_map import add_colour_bar, draw_image, images_of
+from .profiles import bin_means, draw_errors_of_force, points_of, some_of
+from .style import MEAN, PARTICLES, field_label, plt, save, share_limits, time_of, with_unit
 
 ZOOM = 0.24  # side of the close-up, in units of the box
 

@@ -1,6 +1,6 @@
 """Error against run time: four panels of a study, a line a method."""
 
-from style import LINES, MARKERS, plain_ticks, plt, save
+from .style import LINES, MARKERS, plain_ticks, plt, save
 
 STROKES = ["-", "--", ":"]  # once all colours are used
 OTHERS = "#8a8a8a"

@@ -1,9 +1,9 @@
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
-from field_map import draw_image, images_of
-from profiles import draw_field
-from snapshot import Snapshot
-from style import field_label, panels_of, plt, save
+from .field_map import draw_image, images_of
+from .profiles import draw_field
+from .snapshot import Snapshot
+from .style import field_label, panels_of, plt, save
 
 COLUMNS = 5
 

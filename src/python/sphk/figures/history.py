@@ -3,7 +3,8 @@
 import csv
 
 import numpy as np
-from style import LINES, MARKERS, panels_of, plain_ticks, plt, save, with_unit
+
+from .style import LINES, MARKERS, panels_of, plain_ticks, plt, save, with_unit
 
 DRIFTS = {
     "energy_drift": "energy",

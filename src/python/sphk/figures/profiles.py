@@ -1,7 +1,8 @@
 """Particles as light points, their means in bins, and the exact solution, one panel a field."""
 
 import numpy as np
-from style import (EXACT, LINES, MEAN, PARTICLES, field_label, label_of, panels_of, save, set_view, share_limits,
+
+from .style import (EXACT, LINES, MEAN, PARTICLES, field_label, label_of, panels_of, save, set_view, share_limits,
                    time_of)
 
 MOST_POINTS = 20000

@@ -2,7 +2,8 @@
 
 import numpy as np
 from matplotlib.colors import SymLogNorm
-from style import plt, save
+
+from .style import plt, save
 
 
 def draw_stability(work):
