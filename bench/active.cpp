@@ -8,7 +8,7 @@
 #include "kernels/passes/schedule.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/schemes/sphs.hpp"
 

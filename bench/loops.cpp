@@ -5,7 +5,7 @@
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/hoct.hpp"
 #include "src/engine/output.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "src/schemes/sph.hpp"
 #include "src/schemes/sphs.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/compiled_rows.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/scheme_entry.hpp"

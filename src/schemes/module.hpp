@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernels/smoothing/own_kernel.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/scheme_entry.hpp"
 

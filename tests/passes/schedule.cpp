@@ -8,7 +8,7 @@
 #include "kernels/passes/schedule.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "tests/engine/brute_force.hpp"
 

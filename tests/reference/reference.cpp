@@ -9,7 +9,7 @@
 
 #include "all_schemes.hpp"
 #include "kernels/terms/artificial_conductivity.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/engine/scheme_interface.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/registry.hpp"
