@@ -59,8 +59,8 @@ Request parse_command_line(int argc, char** argv) {
   CLI::App root("sphk: smoothed-particle hydrodynamics for compressible gas", "sphk");
   root.set_version_flag("--version", version_text());
   root.require_subcommand(1);
-  for (const auto add : {add_run, add_list, add_show, add_info, add_ic, add_plot, add_rates, add_stability, add_study,
-                         add_gallery, add_extremes, add_tables})
+  for (const auto add : {add_run, add_list, add_show, add_info, add_ic, add_plot, add_movie, add_rates, add_stability,
+                         add_study, add_gallery, add_extremes, add_tables})
     add(root, *options);
   add_modules(root);
   root.footer(

@@ -16,6 +16,7 @@ void add_show(CLI::App& root, Options& o);
 void add_info(CLI::App& root, Options& o);
 void add_ic(CLI::App& root, Options& o);
 void add_plot(CLI::App& root, Options& o);
+void add_movie(CLI::App& root, Options& o);
 void add_rates(CLI::App& root, Options& o);
 void add_stability(CLI::App& root, Options& o);
 void add_study(CLI::App& root, Options& o);

@@ -71,11 +71,27 @@ void add_physics(CLI::App& app, Options& o) {
   add_sets(app, o, "set a key of the scene file");
 }
 
+void add_field_view(CLI::App& app, FieldView& view, const std::string& field_doc) {
+  const auto numbers = [&](const char* name, std::vector<double>& to, int count, const char* type, const char* doc) {
+    app.add_option(name, to, doc)->delimiter(',')->expected(count)->type_name(type);
+  };
+  app.add_option("--field", view.field, field_doc)->type_name("FIELD");
+  numbers("--range", view.range, 2, "LO,HI", "least and largest value that the scale shows");
+  app.add_flag("--log", view.logarithmic, "a logarithmic scale");
+  numbers("--window", view.map.window, 4, "X0,X1,Y0,Y1", "the part of the x-y plane that maps show; default: all");
+  app.add_option("--slice", view.map.slice, "the height of the plane that maps of gas in 3D show; default: the middle")
+      ->type_name("Z");
+  app.add_flag("--column", view.map.column, "maps of gas in 3D show the integral along z in place of a plane");
+  app.add_option("--pixels", view.map.pixels, "of maps, along the longer side; default: 512")
+      ->check(CLI::Range(16, 16384))
+      ->type_name("N");
+}
+
 CLI::App& add_batch(CLI::App& root, Options& o, const std::string& name, const std::string& doc,
                     const std::function<bool(const Batch&)>& make) {
   CLI::App& app = *root.add_subcommand(name, doc);
   add_threads(app, o.batch.threads);
-  acts(app, o, [&o, make] {
+  computes(app, o, [&o, make] {
     const bool all_well = make(o.batch);
     if (stop_requested()) return ExitCode::stopped;
     return all_well ? ExitCode::done : ExitCode::numerics;

@@ -8,6 +8,7 @@
 
 #include "src/cli/command_line.hpp"
 #include "src/run/failure.hpp"
+#include "src/run/movie.hpp"
 #include "src/run/plot.hpp"
 #include "src/run/rates.hpp"
 #include "src/run/run.hpp"
@@ -37,6 +38,7 @@ struct Options {
   int threads = 0;
   RunOptions run;
   PlotRequest plot;
+  MovieRequest movie;
   RatesRequest rates;
   StabilityRequest stability;
   StudyRequest study;
@@ -64,6 +66,8 @@ void add_sets(CLI::App& app, Options& o, const std::string& doc);
 void add_threads(CLI::App& app, int& threads);
 /// --scheme, --kernel, --neighbours, --precision and --set.
 void add_physics(CLI::App& app, Options& o);
+/// --field, --range, --log, --window, --slice, --column and --pixels.
+void add_field_view(CLI::App& app, FieldView& view, const std::string& field_doc);
 /// A command that makes many runs, each a process of its own.
 CLI::App& add_batch(CLI::App& root, Options& o, const std::string& name, const std::string& doc,
                     const std::function<bool(const Batch&)>& make);

@@ -13,16 +13,10 @@ void add_plot(CLI::App& root, Options& o) {
   app.add_flag("--conservation", o.plot.conservation, "draw how well the runs conserve, in one figure");
   app.add_flag("--errors", o.plot.errors,
                "draw density, particles, |E0| and P of runs with output.errors = true, in one figure (R10 Fig. 4)");
-  app.add_option("--map", o.plot.map, "draw this field of the runs as maps on one scale of colours")
-      ->type_name("FIELD");
   app.add_option("--profile", o.plot.profile,
                  "draw this field along the scene's own coordinate, a panel a run (V10 Fig. 4)")
       ->type_name("FIELD");
-  app.add_option("--range", o.plot.range, "least and largest value that --map or --profile shows")
-      ->delimiter(',')
-      ->expected(2)
-      ->type_name("LO,HI");
-  app.add_flag("--log", o.plot.logarithmic, "show --map or --profile on a logarithmic scale");
+  add_field_view(app, o.plot.view, "draw this field of the runs as maps on one scale of colours");
   app.add_flag("--all", o.plot.every, "draw every snapshot of the folder, not only the last, on one scale");
   add_path(app, "--out", o.plot.out,
            "name of the figure (.png, .pdf, .svg, .jpg), or a folder; default: beside the snapshots");
@@ -31,13 +25,15 @@ void add_plot(CLI::App& root, Options& o) {
       "v_r\n(spherical), |v|; E0_x, ... of runs with output.errors = true; any dataset of the snapshot by its name.\n\n"
       "Examples:\n  sphk plot sod-run\n  sphk plot sod-run/snap_0005.hdf5 --out sod.pdf\n"
       "  sphk plot blob-run blob-run-2 --out both.png\n"
-      "  sphk plot kh12-run --map v_y --range -0.3,0.3\n"
-      "  sphk plot kh18-run --map alpha --all --out frames/\n"
+      "  sphk plot kh12-run --field v_y --range -0.3,0.3\n"
+      "  sphk plot kh18-run --field alpha --all --out frames/\n"
+      "  sphk plot blob-run --field rho --log --column --out cloud.pdf\n"
+      "  sphk plot kh12-run --field A --window 0.2,0.5,0.1,0.4 --pixels 1024\n"
       "  sphk plot sod-run gresho-run --conservation --out conserved.png\n"
       "  sphk plot kh12-run kh12-run-2 --errors --out errors.png\n"
       "  sphk plot gresho-run --profile E0\n"
       "  sphk plot sod-run sod-run-2 sod-run-3 --profile rho --out tubes.png");
-  acts(app, o, [&o] {
+  computes(app, o, [&o] {
     plot(o.plot);
     return ExitCode::done;
   });

@@ -94,6 +94,10 @@ void add_run(CLI::App& root, Options& o) {
          "--walltime", [&request](const std::string& text) { request.walltime = seconds_of(text); },
          "stop with a checkpoint before so much wall-clock time of this process is over: seconds, M:S or H:M:S")
       ->type_name("TIME");
+  app.add_option("--watch", request.watch,
+                 "draw the run as it is, as watch.png in its folder, every so many seconds of wall-clock time")
+      ->check(CLI::PositiveNumber)
+      ->type_name("SECONDS");
   app.add_flag("--overwrite", request.overwrite, "replace the run that the folder of --out holds");
   app.add_flag("--dry-run", o.run.dry_run, "tell memory, steps, output size and run time from a trial of three steps");
   app.add_flag("--json-log", o.run.json_log, "print one JSON object a line instead of text");
@@ -111,7 +115,7 @@ void add_run(CLI::App& root, Options& o) {
     if (request.what.empty() && !request.resume) throw InputError("sphk run takes a scene or file, or --resume DIR");
     if (request.resume && (!o.shortcuts.empty() || !o.sets.empty() || request.out))
       throw InputError(
-          "--resume goes on with the run as it is: of the other options only --threads, --walltime and "
+          "--resume goes on with the run as it is: of the other options only --threads, --walltime, --watch and "
           "--json-log go with it");
     request.overrides = overrides(o);
     return run_command(o.run);

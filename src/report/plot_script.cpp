@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <vector>
 
 #include "src/engine/errors.hpp"
 #include "src/engine/places.hpp"
@@ -16,16 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int missing_package = 86;  // the exit code of src/report/plot/plot.py
+constexpr int missing_package = 86;  // the exit code of src/python/sphk/figures/__main__.py
 
-fs::path script_path() {
-  const fs::path script = shared_folder() / "plot/plot.py";
-  if (!fs::exists(script))
-    throw InputError(fmt::format("the drawing script {} is missing: build or install sphk again", script.string()));
-  return script;
+/// The folder of the Python package, before those that the user's Python looks in.
+std::string python_path() {
+  const fs::path folder = shared_folder() / "python";
+  if (!fs::exists(folder / "sphk/figures"))
+    throw InputError(
+        fmt::format("the drawing scripts in {} are missing: build or install sphk again", folder.string()));
+  const char* users = std::getenv("PYTHONPATH");
+  return folder.string() + (users ? std::string(":") + users : "");
 }
 
-/// A temporary file that holds the work; the script reads it as its standard input.
+/// A temporary file that holds the work; the scripts read it as their standard input.
 std::FILE* work_file(const std::string& work) {
   std::FILE* file = std::tmpfile();
   if (!file || std::fwrite(work.data(), 1, work.size(), file) != work.size() || std::fflush(file) != 0)
@@ -35,8 +37,8 @@ std::FILE* work_file(const std::string& work) {
 
 }  // namespace
 
-void run_plot_script(const std::string& work) {
-  const std::string script = script_path().string();
+void run_plot_script(const std::string& work, const std::vector<std::string>& packages) {
+  const std::string path = python_path();
   std::vector<std::string> pythons{"/usr/bin/python3", "python3"};
   if (const char* chosen = std::getenv("SPHK_PYTHON")) pythons = {chosen};
   std::FILE* file = work_file(work);
@@ -46,13 +48,16 @@ void run_plot_script(const std::string& work) {
     if (!unfit()) break;
     std::fflush(stdout);
     std::rewind(file);
-    code = Process({python, "-B", script}, {.input = file}).wait();
+    std::vector<std::string> words{python, "-B", "-m", "sphk.figures"};
+    words.insert(words.end(), packages.begin(), packages.end());
+    code = Process(words, {.input = file, .variables = {{"PYTHONPATH", path}}}).wait();
   }
   std::fclose(file);
   if (unfit())
-    throw InputError(
-        "figures need Python 3 with matplotlib and h5py: sudo apt-get install python3-matplotlib python3-h5py\n"
-        "(another Python can be named in the environment variable SPHK_PYTHON)");
+    throw InputError(fmt::format(
+        "figures and pages need Python 3 with {}: sudo apt-get install python3-{}\n(or name another Python, with "
+        "these from pip, in the environment variable SPHK_PYTHON)",
+        fmt::join(packages, " and "), fmt::join(packages, " python3-")));
   if (code != 0) throw InputError(fmt::format("the drawing script ended with code {}; its message is above", code));
 }
 

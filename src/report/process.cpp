@@ -83,10 +83,31 @@ double age_of_this_process() {
   return ticks > 0 ? std::max(0.0, since_boot - ticks / static_cast<double>(sysconf(_SC_CLK_TCK))) : 0;
 }
 
-Process::Process(std::vector<std::string> words, const Streams& streams) {
+namespace {
+
+/// As exec(3) takes words.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// This process' environment, in which some variables have other values.
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& variables) {
+  std::vector<std::string> all;
+  for (char** own = environ; *own; ++own) {
+    const std::string text = *own;
+    if (!variables.contains(text.substr(0, text.find('=')))) all.push_back(text);
+  }
+  for (const auto& [name, value] : variables) all.push_back(name + "=" + value);
+  return all;
+}
+
+}  // namespace
+
+Process::Process(std::vector<std::string> words, const Streams& streams) {
+  std::vector<std::string> environment = environment_with(streams.variables);
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   if (streams.input) posix_spawn_file_actions_adddup2(&files, fileno(streams.input), STDIN_FILENO);
@@ -94,7 +115,9 @@ Process::Process(std::vector<std::string> words, const Streams& streams) {
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, streams.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   }
-  if (posix_spawnp(&id_, pointers[0], &files, nullptr, pointers.data(), environ) != 0) exit_code_ = not_started;
+  const std::vector<char*> arguments = pointers_to(words), variables = pointers_to(environment);
+  if (posix_spawnp(&id_, arguments[0], &files, nullptr, arguments.data(), variables.data()) != 0)
+    exit_code_ = not_started;
   posix_spawn_file_actions_destroy(&files);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ class Process {
   struct Streams {
     std::FILE* input = nullptr;      ///< standard input, from where it stands; null: this process' own
     std::filesystem::path output{};  ///< a new file for standard output and error; empty: this process' own
+    std::map<std::string, std::string> variables{};  ///< of its environment, beside this process' own
   };
 
   /// What `exit_code` says of a program that could not be started, as a shell does; and what it adds to the number of

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "src/report/html.hpp"
-
 namespace sphk {
 
 std::string Table::text() const {
@@ -24,23 +22,6 @@ std::string Table::text() const {
   add(head);
   for (const auto& row : rows) add(row);
   return text;
-}
-
-std::string Table::html() const {
-  std::string html = "<table>\n<thead><tr>";
-  const auto add = [&](const char* tag, const std::vector<std::string>& row) {
-    for (std::size_t k = 0; k < row.size(); ++k)
-      html += fmt::format("<{}{}>{}</{}>", tag, std::ranges::find(words, k) != words.end() ? " class=\"words\"" : "",
-                          html_text(row[k]), tag);
-  };
-  add("th", head);
-  html += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr>";
-    add("td", row);
-    html += "</tr>\n";
-  }
-  return html + "</tbody>\n</table>\n";
 }
 
 }  // namespace sphk

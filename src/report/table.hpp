@@ -13,7 +13,6 @@ struct Table {
 
   /// Lines that begin with two spaces; columns two apart.
   std::string text() const;
-  std::string html() const;
 };
 
 }  // namespace sphk

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -72,6 +71,18 @@ void add(std::vector<PlotField>& fields, const std::string& name, const hdf5::Da
   for (const std::string& part : parts) fields.push_back({name + "_" + part, dataset_name, part});
 }
 
+/// A vector's component along R, phi or r, where a particle is d from the centre.
+double about_centre(const std::string& part, const Array3& d, const double* vector, const Array3& velocity) {
+  const Array3 v{vector[0] - velocity[0], vector[1] - velocity[1], vector[2] - velocity[2]};
+  if (part == "r") {
+    const double r = std::hypot(d[0], d[1], d[2]);
+    return r > 0 ? (d[0] * v[0] + d[1] * v[1] + d[2] * v[2]) / r : 0;
+  }
+  const double R = std::hypot(d[0], d[1]);
+  if (R == 0) return 0;
+  return part == "R" ? (d[0] * v[0] + d[1] * v[1]) / R : (d[0] * v[1] - d[1] * v[0]) / R;
+}
+
 }  // namespace
 
 std::vector<PlotField> plot_fields(const fs::path& snapshot, int dimension) {
@@ -89,9 +100,7 @@ std::vector<PlotField> plot_fields(const fs::path& snapshot, int dimension) {
   return fields;
 }
 
-PlotField find_plot_field(const std::vector<PlotField>& fields, const std::string& name, const fs::path& snapshot) {
-  const auto found = std::ranges::find(fields, name, &PlotField::name);
-  if (found != fields.end()) return *found;
+void refuse_plot_field(const std::vector<PlotField>& fields, const std::string& name, const fs::path& snapshot) {
   std::vector<std::string> names;
   std::set<std::pair<std::string, std::string>> told;
   for (const PlotField& field : fields)
@@ -100,20 +109,37 @@ PlotField find_plot_field(const std::vector<PlotField>& fields, const std::strin
       fmt::format("{} has no field \"{}\" to draw; it has {}", snapshot.string(), name, fmt::join(names, ", ")));
 }
 
-double least_value(const PlotField& field, const fs::path& snapshot) {
+Array3 offset(const Array3& x, const Array3& centre, const ParticleSet& gas) {
+  Array3 d{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(gas.dimension); ++k) {
+    d[k] = x[k] - centre[k];
+    if (gas.box.periodic[k]) d[k] -= gas.box.size[k] * std::round(d[k] / gas.box.size[k]);
+  }
+  return d;
+}
+
+std::vector<double> field_values(const PlotField& field, const fs::path& snapshot, const ParticleSet& gas,
+                                 const PlotCentre& centre) {
   const hdf5::Dataset dataset = gas_of(snapshot).dataset(field.dataset);
+  std::vector<double> values = dataset.read<double>();
   const auto shape = dataset.shape();
   const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
-  const std::string axes = "xyz";
-  const auto axis = axes.find(field.part),
-             entry = static_cast<std::size_t>(std::ranges::find(matrix_parts, field.part) - matrix_parts.begin());
-  const std::size_t column = columns == 1 ? 0 : columns == 3 ? axis : entry;
-  const std::vector<double> values = dataset.read<double>();
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + columns <= values.size(); i += columns)
-    least = std::fmin(
-        least, field.part == "modulus" ? std::hypot(values[i], values[i + 1], values[i + 2]) : values[i + column]);
-  return least;
+  if (columns == 1) return values;
+  const bool beside = field.dataset == Velocity::facts.name;
+  const auto one = columns == 3
+                       ? std::string("xyz").find(field.part)
+                       : static_cast<std::size_t>(std::ranges::find(matrix_parts, field.part) - matrix_parts.begin());
+  std::vector<double> part(shape[0]);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const double* const row = &values[columns * i];
+    if (field.part == "modulus")
+      part[i] = std::hypot(row[0], row[1], row[2]);
+    else if (one < columns)
+      part[i] = row[one];
+    else
+      part[i] = about_centre(field.part, offset(gas.x[i], centre.place, gas), row, beside ? centre.velocity : Array3{});
+  }
+  return part;
 }
 
 }  // namespace sphk

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "src/engine/particle_set.hpp"
+
 namespace sphk {
 
 /// What figures can show of a snapshot: a dataset of its particles, or a part of one.
@@ -21,11 +23,21 @@ inline constexpr const char* alpha_dataset = "Alpha";
 /// All that the snapshot has, those with short names first. A vector's own name is its modulus, as |v| is.
 std::vector<PlotField> plot_fields(const std::filesystem::path& snapshot, int dimension);
 
-/// Throws InputError with the names that there are where `name` is none of them.
-PlotField find_plot_field(const std::vector<PlotField>& fields, const std::string& name,
-                          const std::filesystem::path& snapshot);
+/// Throws InputError: `name` is no field of the snapshot, and which ones there are.
+[[noreturn]] void refuse_plot_field(const std::vector<PlotField>& fields, const std::string& name,
+                                    const std::filesystem::path& snapshot);
 
-/// The least value, of a field that does not depend on where the scene's centre is. Throws InputError.
-double least_value(const PlotField& field, const std::filesystem::path& snapshot);
+/// A scene's centre: where it is, and how it moves.
+struct PlotCentre {
+  Array3 place{}, velocity{};
+};
+
+/// The vector from the centre to x, by the nearest image along periodic axes.
+Array3 offset(const Array3& x, const Array3& centre, const ParticleSet& gas);
+
+/// A number a particle, in the file's order. Velocities along R, phi and r are beside the centre's own; those of a
+/// particle in the centre are 0. Throws InputError.
+std::vector<double> field_values(const PlotField& field, const std::filesystem::path& snapshot, const ParticleSet& gas,
+                                 const PlotCentre& centre);
 
 }  // namespace sphk

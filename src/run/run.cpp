@@ -16,6 +16,7 @@
 #include "src/run/run_loop.hpp"
 #include "src/run/stop_signal.hpp"
 #include "src/run/trial_gas.hpp"
+#include "src/run/watch.hpp"
 #include "src/scenes/initial_condition.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/schemes/resolve.hpp"
@@ -213,6 +214,9 @@ RunResult run(const RunRequest& request) {
   if (plan.walltime > 0) plan.walltime = std::max(1e-9, plan.walltime - watch.wall());
   RunLoop loop(*simulation, output, checkpoints, progress, plan, box);
   if (start.saved) loop.resume(start.saved->loop);
+  std::optional<Watch> picture;
+  if (request.watch > 0) picture.emplace(output, progress, request.watch, scene.plot_hint(settings).map);
+  if (picture) loop.each_step([&] { picture->look(*simulation); });
   const auto conclude = [&] {
     add_results(record, loop, output, *simulation, box);
     write_atomically(output.folder() / "run.json", run_json(record));
@@ -220,6 +224,7 @@ RunResult run(const RunRequest& request) {
   if (finishes(loop, output, checkpoints, record, conclude)) {
     sync_to_disk(output.folder() / "history.csv");  // until now the checkpoint holds it
     checkpoints.remove();
+    if (picture) picture->finish(*simulation);
   }
   return {record, output.folder()};
 }

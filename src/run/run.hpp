@@ -18,6 +18,7 @@ struct RunRequest {
   std::optional<std::filesystem::path> out;      ///< the run's folder; nothing: NAME-run, or the next free one
   bool overwrite = false;                        ///< replace the run that the folder holds
   std::optional<std::filesystem::path> resume;   ///< the folder of a run to go on with; `what` is empty then
+  double watch = 0;                              ///< wall-clock seconds between pictures of the run as it is; 0: none
   double walltime = 0;                           ///< wall-clock seconds after which the run stops; 0: no limit
   ProgressStyle progress = ProgressStyle::none;  ///< on standard output
   bool stop_on_signals = false;                  ///< SIGTERM and the like end it with a checkpoint (stop_signal.hpp)

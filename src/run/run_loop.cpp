@@ -51,6 +51,7 @@ void RunLoop::step(double until) {
   longest_step_ = std::max(longest_step_, watch.wall());
   ++state_.steps;
   if (progress_.due()) tell(report);
+  after_step_();
 }
 
 void RunLoop::tell(const StepReport& report) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "src/report/energy_meter.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/progress.hpp"
@@ -26,6 +28,8 @@ class RunLoop {
 
   RunLoop(Simulation& simulation, RunOutput& output, Checkpoints& checkpoints, Progress& progress, Plan plan,
           const Box& box);
+  /// What is called after every step.
+  void each_step(std::function<void()> act) { after_step_ = std::move(act); }
   /// Where a saved run had got.
   void resume(const LoopState& state) { state_ = state; }
 
@@ -59,6 +63,7 @@ class RunLoop {
   Plan plan_;
   Box box_;
   LoopState state_;
+  std::function<void()> after_step_ = [] {};
   EnergyMeter meter_;
   Stopwatch process_;
   double longest_step_ = 0, last_checkpoint_ = 0;  ///< wall-clock seconds

@@ -6,8 +6,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "src/io/atomic_file.hpp"
-#include "src/report/html.hpp"
 #include "src/report/machine.hpp"
 #include "src/report/plot_script.hpp"
 #include "src/report/print.hpp"
@@ -80,37 +78,42 @@ GalleryRun show(const Scene& scene, const fs::path& gallery, int threads) {
 /// Draws the thumbnails and the sheet with all of them.
 void draw(const std::vector<GalleryRun>& tiles, const fs::path& sheet) {
   Json items = Json::array();
+  NumberFiles files;
   for (const GalleryRun& shown : tiles) {
     if (!shown.failure.empty()) continue;
-    Json item = describe_snapshot(shown.folder / "snap_0001.hdf5",
-                                  resolve_problem((shown.folder / "scene.used.toml").string(), {}), true);
-    item["field"] = shown.tile.field.value_or(item["map"].get<bool>() ? "" : "rho");
-    item["heading"] = shown.scene->name();
-    item["words"] = shown.lines;
-    item["out"] = shown.thumbnail().string();
-    items.push_back(item);
+    const std::optional<Problem> problem = resolve_problem((shown.folder / "scene.used.toml").string(), {});
+    PlotItem item(shown.folder / "snap_0001.hdf5", problem, files);
+    const std::string field = shown.tile.field.value_or(item.prefers_map() ? "" : "rho");
+    if (field.empty()) item.add_map("rho", {.pixels = 320});
+    if (!field.empty()) item.add_along({field});
+    item.add_exact(*problem);
+    item.json["field"] = field;
+    item.json["heading"] = shown.scene->name();
+    item.json["words"] = shown.lines;
+    item.json["out"] = shown.thumbnail().string();
+    items.push_back(item.json);
   }
   if (!items.empty()) run_plot_script(Json{{"gallery", items}, {"out", sheet.string()}}.dump());
 }
 
-std::string page_of(const std::vector<GalleryRun>& tiles) {
-  std::string body = fmt::format(
-      "<h1>sphk: the gallery</h1>\n<p class=\"meta\">A small run of every scene, in CPU seconds of the time loop on "
-      "{}. "
-      "Points are particles or their means, lines the exact solution.</p>\n<div class=\"tiles\">\n",
-      html_text(machine_name()));
-  for (const GalleryRun& shown : tiles) {
-    const bool there = shown.failure.empty();
-    const std::string name = shown.scene->name();
-    std::string command = "sphk run " + name;
+void write_page(const std::vector<GalleryRun>& runs, const fs::path& page) {
+  Json tiles = Json::array();
+  for (const GalleryRun& shown : runs) {
+    std::string command = "sphk run " + shown.scene->name();
     for (const auto& [key, value] : keys_of_tile(shown)) command += fmt::format(" --set {}={}", key, value);
-    body += fmt::format(
-        "<figure>{}<figcaption><b>{}</b>: {}<br>{}<br><details><summary>command</summary><code>{}</code></details>"
-        "</figcaption></figure>\n",
-        there ? html_image(shown.thumbnail(), name) : "", html_text(name), html_text(shown.scene->summary()),
-        html_text(shown.words()), html_text(command));
+    tiles.push_back({{"file", shown.failure.empty() ? shown.thumbnail().string() : ""},
+                     {"name", shown.scene->name()},
+                     {"summary", shown.scene->summary()},
+                     {"words", shown.words()},
+                     {"command", command}});
   }
-  return html_page("sphk: the gallery", body + "</div>\n");
+  run_plot_script(Json{{"page", "gallery.html"},
+                       {"out", page.string()},
+                       {"title", "sphk: the gallery"},
+                       {"machine", machine_name()},
+                       {"tiles", tiles}}
+                      .dump(),
+                  packages_of_pages);
 }
 
 }  // namespace
@@ -119,6 +122,7 @@ bool make_gallery(const Batch& batch) {
   for (const std::string& name : batch.names) find_scene(name);
   std::vector<const Scene*> wanted = scenes();
   std::erase_if(wanted, [&](const Scene* scene) { return !batch.wants(scene->name()); });
+  run_plot_script("{}", packages_of_pages);  // before minutes of runs
   const fs::path folder = batch.out.value_or("gallery");
   fs::create_directories(folder);
   catch_stop_signals();
@@ -133,8 +137,7 @@ bool make_gallery(const Batch& batch) {
     say(" {}\n", tiles.back().words());
   }
   draw(tiles, folder / "gallery.png");
-  write_atomically(folder / "index.html", page_of(tiles));
-  say("{}\n", (folder / "index.html").string());
+  write_page(tiles, folder / "index.html");
   return std::ranges::all_of(tiles, [](const GalleryRun& shown) { return shown.failure.empty(); });
 }
 

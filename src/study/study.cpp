@@ -10,6 +10,7 @@
 #include "src/io/atomic_file.hpp"
 #include "src/report/history.hpp"
 #include "src/report/machine.hpp"
+#include "src/report/plot_script.hpp"
 #include "src/report/print.hpp"
 #include "src/report/process.hpp"
 #include "src/report/quantity.hpp"
@@ -186,10 +187,7 @@ class Study {
     const std::string machine = record_.json["machine"];
     draw_study(folder_ / "study.png", plan_, machine, results, others);
     draw_speed(folder_ / "speed.png", plan_, machine, results);
-    if (report) {
-      write_atomically(*report, report_page(plan_, answers, record_, figures(results)));
-      say("{}\n", report->string());
-    }
+    if (report) write_report(*report, plan_, answers, record_, figures(results));
   }
 
  private:
@@ -272,6 +270,7 @@ void study(const StudyRequest& request) {
   StudyPlan plan = asked_plan(request);
   check(plan);
   if (!plan.others.empty()) read_others(plan.others);
+  if (request.report) run_plot_script("{}", packages_of_pages);  // before hours of runs
   catch_stop_signals();
   Study study(std::move(plan), request);
   study.announce();

@@ -7,7 +7,6 @@
 
 #include "src/io/atomic_file.hpp"
 #include "src/report/csv.hpp"
-#include "src/report/html.hpp"
 #include "src/report/plot_script.hpp"
 #include "src/scenes/norms.hpp"
 
@@ -35,25 +34,6 @@ std::string machines_of(const std::vector<OtherPoint>& others) {
   std::set<std::string> machines;
   for (const OtherPoint& other : others) machines.insert(other.machine);
   return fmt::format("{}", fmt::join(machines, "; "));
-}
-
-std::string meaning_of(const StudyPlan& plan) {
-  const std::string error = meaning_of_error(plan.norm);
-  if (plan.measured)
-    return fmt::format(
-        "<p>{} is what the run measured at its end (history.csv); nothing says what it should be. CPU seconds are of "
-        "all threads in the time loop, without set-up and output.</p>\n",
-        html_text(plan.norm));
-  return fmt::format(
-      "<p>L1({}) is {}. CPU seconds are of all threads in the time loop, without set-up and output{}; every run is a "
-      "process of its own, after a trial of three steps that warms the machine up. A star marks runs that no other "
-      "beats both in error and in CPU time. Times to an error are interpolated between runs in logarithms.</p>\n",
-      html_text(plan.norm),
-      error.empty()
-          ? "the distance from converged runs of other methods, summed over the times they are known at, over the sum "
-            "of their values"
-          : html_text("the mean " + error + " (Read & Hayfield 2012, eq 44)"),
-      plan.repeat > 1 ? fmt::format(", the least of {} runs", plan.repeat) : "");
 }
 
 std::string keys_of(const Json& fixed) {
@@ -153,26 +133,30 @@ void draw_speed(const std::filesystem::path& path, const StudyPlan& plan, const 
        path.string()}}.dump());
 }
 
-std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
-                        const std::vector<StudyFigure>& figures) {
-  const auto text = [&](const char* key) { return html_text(record.json[key].get<std::string>()); };
-  const std::string title = fmt::format("Error against run time: {}", plan.name.empty() ? plan.scene : plan.name);
-  std::string body = fmt::format("<h1>{}</h1>\n", html_text(title));
-  if (!plan.summary.empty()) body += fmt::format("<p>{}</p>\n", html_text(plan.summary));
-  body += fmt::format("<p class=\"meta\">{} &middot; sphk {} ({}) &middot; {}</p>\n", text("machine"), text("version"),
-                      text("git_revision"), text("compiler"));
+void write_report(const std::filesystem::path& path, const StudyPlan& plan, const StudyAnswers& answers,
+                  const StudyRecord& record, const std::vector<StudyFigure>& figures) {
+  Json shown = Json::array(), parts = Json::array();
   for (const auto& [file, caption] : figures)
-    if (std::filesystem::exists(file))
-      body += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", html_image(file, caption),
-                          html_text(caption));
-  for (const StudyAnswers::Part& part : answers.parts) {
-    body += fmt::format("<h2>{}</h2>\n<div class=\"wide\">{}</div>\n", html_text(part.title), part.table.html());
-    if (!part.note.empty()) body += fmt::format("<p class=\"meta\">{}</p>\n", html_text(part.note));
-  }
-  body += "<h2>What the numbers mean</h2>\n" + meaning_of(plan);
-  body += fmt::format("<h2>Keys of all runs</h2>\n<pre>sphk run {}{}</pre>\n", html_text(plan.scene),
-                      html_text(keys_of(record.json["fixed"])));
-  return html_page(title, body);
+    if (std::filesystem::exists(file)) shown.push_back({{"file", file.string()}, {"caption", caption}});
+  for (const StudyAnswers::Part& part : answers.parts)
+    parts.push_back({{"title", part.title},
+                     {"head", part.table.head},
+                     {"rows", part.table.rows},
+                     {"words", part.table.words},
+                     {"note", part.note}});
+  Json work = {{"page", "study.html"},
+               {"out", path.string()},
+               {"title", fmt::format("Error against run time: {}", plan.name.empty() ? plan.scene : plan.name)},
+               {"summary", plan.summary},
+               {"figures", shown},
+               {"parts", parts},
+               {"norm", plan.norm},
+               {"measured", plan.measured},
+               {"mean_error", meaning_of_error(plan.norm)},
+               {"repeat", plan.repeat},
+               {"command", fmt::format("sphk run {}{}", plan.scene, keys_of(record.json["fixed"]))}};
+  for (const char* key : {"machine", "version", "git_revision", "compiler"}) work[key] = record.json[key];
+  run_plot_script(work.dump(), packages_of_pages);
 }
 
 }  // namespace sphk

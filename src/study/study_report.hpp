@@ -42,8 +42,9 @@ struct StudyFigure {
   std::string caption;
 };
 
-/// One self-contained HTML page with everything about a study; figures that are not there are left out.
-std::string report_page(const StudyPlan& plan, const StudyAnswers& answers, const StudyRecord& record,
-                        const std::vector<StudyFigure>& figures);
+/// One self-contained HTML page with everything about a study; figures that are not there are left out. Prints its
+/// name.
+void write_report(const std::filesystem::path& path, const StudyPlan& plan, const StudyAnswers& answers,
+                  const StudyRecord& record, const std::vector<StudyFigure>& figures);
 
 }  // namespace sphk

@@ -14,22 +14,22 @@ import matplotlib.image
 
 class Fields(WithRun):
     def test_any_field_is_a_map_and_what_is_none_is_refused(self):
-        self.assertEqual(self.sphk("plot", "run", "--map", "v_y", "--range", "-0.5,0.5").split(),
+        self.assertEqual(self.sphk("plot", "run", "--field", "v_y", "--range", "-0.5,0.5").split(),
                          ["run/snap_0001_map_v_y.png"])
         pixels = colours(os.path.join(self.folder, "run", "snap_0001_map_v_y.png"))[0]
         red, blue = (pixels[:, 0] - pixels[:, 2] > 0.2).mean(), (pixels[:, 2] - pixels[:, 0] > 0.2).mean()
         self.assertTrue(red > 0.01 and 0.5 < red / blue < 2, "a vortex moves up on one side and down on the other")
-        names = self.sphk("plot", "run", "--map", "|v|", "--all", "--out", "frames/").split()
+        names = self.sphk("plot", "run", "--field", "|v|", "--all", "--out", "frames/").split()
         self.assertEqual(names, ["frames/snap_0000_map_|v|.png", "frames/snap_0001_map_|v|.png"])
-        text = self.sphk("plot", "run", "--map", "v_w", code=2)
+        text = self.sphk("plot", "run", "--field", "v_w", code=2)
         self.assertRegex(text, r"no field \"v_w\".*\brho, v, v_x, v_y, ")
         self.assertNotIn("v_z", text, "gas in 2D")
-        self.assertIn("not positive", self.sphk("plot", "run", "--map", "v_x", "--log", code=2))
-        self.sphk("plot", "run", "--map", "P", "--log", "--out", "pressure.pdf")
+        self.assertIn("not positive", self.sphk("plot", "run", "--field", "v_x", "--log", code=2))
+        self.sphk("plot", "run", "--field", "P", "--log", "--out", "pressure.pdf")
         with open(os.path.join(self.folder, "pressure.pdf"), "rb") as file:
             self.assertEqual(file.read(5), b"%PDF-")
-        for wrong in (("--log",), ("--map", "v_x", "--range", "1,0"), ("--map", "P", "--range", "0,1", "--log"),
-                      ("--map", "P", "--profile", "P"), ("--profile", "P", "--all"), ("--out", "x.gif")):
+        for wrong in (("--log",), ("--field", "v_x", "--range", "1,0"), ("--field", "P", "--range", "0,1", "--log"),
+                      ("--field", "P", "--profile", "P"), ("--profile", "P", "--all"), ("--out", "x.gif")):
             self.sphk("plot", "run", *wrong, code=2)
 
     def test_alpha_and_errors_are_drawn_where_a_snapshot_has_them(self):

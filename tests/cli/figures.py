@@ -13,10 +13,10 @@ import unittest
 from html.parser import HTMLParser
 
 try:
-    import h5py  # noqa: F401
+    import jinja2  # noqa: F401
     import matplotlib.image
 except ImportError:
-    print("skipped: figures need python3-matplotlib and python3-h5py")
+    print("skipped: figures and pages need python3-matplotlib and python3-jinja2")
     sys.exit(77)
 
 SPHK = sys.argv.pop()
@@ -110,8 +110,8 @@ class Figures(WithRun):
         self.assertIn("different units", refused)  # one colour scale would compare numbers of unlike meaning
 
     def test_labels_have_a_unit_where_there_is_one(self):
-        sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../src/report/plot"))
-        from style import field_label, time_of
+        sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../../src/python"))
+        from sphk.figures.style import field_label, time_of
 
         item = {"abscissa": "R", "time": 0.5, "units": {"x": "kpc", "rho": "1e10 Msun kpc^-3", "t": "977.79 Myr"}}
         self.assertEqual(field_label(item, "R"), r"cylindrical radius $R$ [kpc]")
@@ -314,7 +314,7 @@ class Figures(WithRun):
 
     def test_a_python_without_matplotlib_is_named_with_the_cure(self):
         text = self.sphk("plot", "run", code=2, SPHK_PYTHON="/nonexistent/python3")
-        self.assertIn("apt-get install python3-matplotlib python3-h5py", text)
+        self.assertIn("apt-get install python3-matplotlib", text)
 
 
 if __name__ == "__main__":

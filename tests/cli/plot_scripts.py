@@ -1,101 +1,61 @@
-"""What the drawing scripts make of snapshots, in numbers. Usage: plot_scripts.py SPHK; exit code 77: no matplotlib."""
+"""What the drawing scripts make of work orders, in numbers. Usage: plot_scripts.py SPHK; exit code 77: no matplotlib."""
 
+import importlib.util
 import os
 import sys
 import tempfile
 import unittest
 
 try:
-    import h5py
     import matplotlib  # noqa: F401
     import numpy as np
 except ImportError:
-    print("skipped: figures need python3-matplotlib and python3-h5py")
+    print("skipped: figures need python3-matplotlib")
     sys.exit(77)
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(sys.argv.pop())), "share/sphk/plot"))
-import field_map  # noqa: E402
-import history  # noqa: E402
-import profiles  # noqa: E402
-from snapshot import Snapshot  # noqa: E402
-from style import label_of, plt  # noqa: E402
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(sys.argv.pop())), "share/sphk/python"))
+from sphk.figures import field_map, history, pages, profiles  # noqa: E402
+from sphk.figures.snapshot import Snapshot  # noqa: E402
+from sphk.figures.style import label_of, plt  # noqa: E402
 
-SIDE = 24
+def item(**numbers):
+    return {"dimension": 2, "abscissa": "R", "from": 0, "to": 0.5, "exact": None, "time": 0, "title": "",
+            "fields": list(numbers), "numbers": {"abscissa": np.linspace(0.01, 0.49, 200)} | numbers}
 
 
-def item(file, periodic, **more):
-    return {"file": file, "dimension": 2, "box_lower": [0, 0, 0], "box_size": [1, 1, 1], "periodic": [periodic] * 3,
-            "centre": [0.5, 0.5, 0], "velocity": [0, 0, 0], "abscissa": "R", "from": 0, "to": 0.5, "exact": None,
-            "time": 0, "title": "", "fields": [],
-            "names": {"rho": ["Densities", ""], "m": ["Masses", ""], "v": ["Velocities", "phi"],
-                      "|v|": ["Velocities", "modulus"], "v_x": ["Velocities", "x"], "v_R": ["Velocities", "R"],
-                      "v_phi": ["Velocities", "phi"], "v_r": ["Velocities", "r"], "V_xy": ["V", "xy"]}} | more
+def image(values, cover=None, name="v_x", column=False):
+    work = {"values": np.array(values), "cover": cover, "window": (0, 1, 0, 1), "column": column}
+    return field_map.image_of({"images": {name: work}}, name)
 
 
 class Scripts(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.file = os.path.join(cls.temporary.name, "gas.hdf5")
-        places = (np.arange(SIDE) + 0.5) / SIDE
-        cls.x = np.stack([*np.meshgrid(places, places), np.zeros((SIDE, SIDE))], -1).reshape(-1, 3)
-        d = cls.x - [0.5, 0.5, 0]
-        with h5py.File(cls.file, "w") as file:
-            gas = file.create_group("PartType0")
-            gas["Coordinates"] = cls.x
-            gas["Velocities"] = np.stack([3 * d[:, 0] - 4 * d[:, 1], 4 * d[:, 0] + 3 * d[:, 1], 0 * d[:, 0]], -1)
-            gas["Densities"], gas["Masses"] = np.full(len(d), 2.0), np.full(len(d), 2.0 / len(d))
-            gas["V"] = np.outer(np.ones(len(d)), np.arange(6))
-        cls.R = np.hypot(d[:, 0], d[:, 1])
+    def test_gas_fades_where_it_ends_and_what_is_not_seen_sets_no_scale(self):
+        full, none = field_map.FADES
+        cover = np.array([[1, full, (full + none) / 2], [none, none / 2, 0]])
+        picture = image([[1.0, 2, 3], [4, 5, np.nan]], cover)
+        np.testing.assert_allclose(picture.opacity, [[1, 1, 0.5], [0, 0, 0]])
+        self.assertEqual(set(picture.seen()), {1, 2})
+        self.assertEqual(image([[1.0, np.nan]]).opacity.tolist(), [[1, 0]], "a closed box is opaque")
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    def test_parts_of_vectors_and_matrices(self):
-        """A flow of 3 R outwards and 4 R around the centre: 5 R in all."""
-        gas = Snapshot(item(self.file, False))
-        for name, factor in (("v_R", 3), ("v_r", 3), ("v_phi", 4), ("v", 4), ("|v|", 5)):
-            np.testing.assert_allclose(gas.value(name), factor * self.R, atol=1e-12, err_msg=name)
-        np.testing.assert_allclose(gas.value("v_x"), 3 * (self.x[:, 0] - 0.5) - 4 * (self.x[:, 1] - 0.5), atol=1e-12)
-        self.assertEqual(set(gas.value("V_xy")), {3}, "behind xx, yy, zz")
-
-    def test_velocities_about_a_centre_are_beside_its_own(self):
-        gas = Snapshot(item(self.file, False, velocity=[7, 0, 0]))
-        outwards = (self.x[:, 0] - 0.5) / self.R
-        np.testing.assert_allclose(gas.value("v_R"), 3 * self.R - 7 * outwards, atol=1e-12)
-        np.testing.assert_allclose(gas.value("v_x"), Snapshot(item(self.file, False)).value("v_x"))
-
-    def test_maps_show_the_field_and_end_with_the_gas(self):
-        gas = Snapshot(item(self.file, True))
-        image = field_map.field_image(gas, "rho", *field_map.frame(gas))
-        self.assertEqual(image.values.shape, (field_map.PIXELS, field_map.PIXELS))
-        np.testing.assert_allclose(image.values, 2, rtol=1e-12)
-        self.assertEqual(image.opacity.min(), 1, "a periodic box has no border")
-        middle = field_map.PIXELS // 2
-        image = field_map.field_image(gas, "v_x", *field_map.frame(gas))
-        self.assertAlmostEqual(image.values[middle, middle + 64], 3 * 64.5 / 320 - 4 * 0.5 / 320, delta=1e-3)
-        gas = Snapshot(item(self.file, False))
-        image = field_map.field_image(gas, "rho", np.array([-0.5, -0.5]), np.array([2, 2]))
-        self.assertEqual(image.opacity[middle, middle], 1)
-        self.assertEqual(image.opacity[5, 5], 0)
-        self.assertEqual(image.seen().max(), image.seen().min(), "its border is not darker than its inside")
-        border = (image.opacity > 0.5).sum() * (2 / field_map.PIXELS) ** 2
-        self.assertAlmostEqual(border, 1, delta=4 * 0.5 / SIDE, msg="half a spacing around a square of area 1")
+    def test_a_density_falls_to_zero_where_gas_ends(self):
+        picture = image([[4.0, 3, 2, np.nan]], np.array([[1.01, 0.95, field_map.INSIDE / 2, 0]]), "rho")
+        np.testing.assert_allclose(picture.values, [[4, 3, 1, 0]])
+        self.assertEqual((picture.opacity.min(), len(picture.seen())), (1, 2), "its border sets no scale")
+        norm = field_map.colours_of([picture])["norm"]
+        self.assertEqual((norm.vmin, norm.vmax), (0, 4))
+        self.assertEqual(image([[0, 1e-5, 1.0]], None, "rho", column=True).seen().tolist(), [1])
 
     def test_images_share_a_scale_which_knows_signs(self):
-        full = np.ones((2, 2))
-        images = [field_map.Image(np.array([[1, 2], [3, low]]), full) for low in (0.5, 5)]
+        images = [image([[1, 2], [3, low]]) for low in (0.5, 5)]
         norm = field_map.colours_of(images)["norm"]
         self.assertEqual((norm.vmin, norm.vmax), (0.5, 5))
-        both = field_map.colours_of([field_map.Image(np.array([[-1, 2], [3, 0.5]]), full)], "v_y")["norm"]
+        both = field_map.colours_of([image([[-1, 2], [3, 0.5]])], "v_y")["norm"]
         self.assertEqual((both.vmin, both.vmax), (-3, 3))
         asked = field_map.colours_of(images, "v_y", {"range": [1, 2], "log": True})["norm"]
         self.assertEqual((type(asked).__name__, asked.vmin, asked.vmax), ("LogNorm", 1, 2))
 
     def test_frames_share_their_axes(self):
-        frames = [item(self.file, True, fields=["rho"]), item(self.file, True, fields=["rho"])]
-        frames[1]["names"] = frames[1]["names"] | {"rho": ["V", "yz"]}  # 5 in place of 2
+        frames = [item(rho=np.full(200, value)) for value in (2.0, 5.0)]
         low, high = profiles.shared_limits(Snapshot(frame) for frame in frames)["rho"]
         self.assertTrue(1.9 < low < 2 and 5 < high < 5.1, (low, high))
 
@@ -110,12 +70,28 @@ class Scripts(unittest.TestCase):
         figure, axes = plt.subplots()
         history.scale_drifts(axes, [np.array([0, 1e-6]), np.array([0.0, 0.0])])
         low, high = axes.get_ylim()
-        self.assertTrue(1e-7 < low < 1e-6 and 0.01 < high < 0.1, (low, high))
+        self.assertTrue(1e-7 < low < 1e-6 < high < 1e-5, (low, high))
+        history.scale_drifts(axes, [np.array([1e-4, 1e-3])])
+        self.assertGreater(axes.get_ylim()[1], 0.01, "one per cent is near")
         plt.close(figure)
         figure, axes = plt.subplots()
         history.scale_drifts(axes, [np.array([0.0, 0.0])])
         self.assertEqual((axes.get_yscale(), len(axes.get_yticks())), ("linear", 0), "nothing has drifted")
         plt.close(figure)
+
+    @unittest.skipUnless(importlib.util.find_spec("jinja2"), "pages need python3-jinja2")
+    def test_a_page_needs_nothing_beside_it(self):
+        with tempfile.NamedTemporaryFile(suffix=".png") as picture:
+            picture.write(b"foobar")  # whose base64 is that of RFC 4648 sec 10
+            picture.flush()
+            tile = {"file": picture.name, "name": "a < \"b\"", "summary": "", "words": "<48>", "command": "x & y"}
+            page = pages.page_of({"page": "gallery.html", "title": "a < b", "machine": "", "tiles": [tile]})
+        self.assertTrue(page.startswith("<!DOCTYPE html>"))
+        for text in ("<title>a &lt; b</title>", "&lt;48&gt;", "x &amp; y", 'src="data:image/png;base64,Zm9vYmFy"'):
+            self.assertIn(text, page)
+        self.assertRegex(page, r'alt="a &lt; &#34;b&#34;"')
+        for link in ("http:", "https:", "url(", "<script", "<link"):
+            self.assertNotIn(link, page)
 
     def test_labels_name_components(self):
         self.assertIn("v_{x}", label_of("v_x"))

@@ -13,11 +13,5 @@ TEST(Tables, SetWordsLeftAndNumbersRight) {
             "  longer  2.5\n");
 }
 
-TEST(Tables, EscapeWhatHtmlWouldRead) {
-  const Table table{{"a<b"}, {{"\"x\" & y"}}};
-  EXPECT_NE(table.html().find("<th class=\"words\">a&lt;b</th>"), std::string::npos) << table.html();
-  EXPECT_NE(table.html().find("<td class=\"words\">&quot;x&quot; &amp; y</td>"), std::string::npos) << table.html();
-}
-
 }  // namespace
 }  // namespace sphk

@@ -145,7 +145,7 @@ TEST(KernelAndNeighbours, FollowTheUsersKernel) {
               99);
 }
 
-std::string message_of(const std::string& what, const std::vector<std::pair<std::string, std::string>>& keys) {
+std::string label_message_of(const std::string& what, const std::vector<std::pair<std::string, std::string>>& keys) {
   try {
     resolve_problem(what, overrides_of(keys));
   } catch (const InputError& error) {
@@ -156,10 +156,10 @@ std::string message_of(const std::string& what, const std::vector<std::pair<std:
 
 TEST(Keys, OfAnotherSchemeAreErrorsThatNameTheSchemesThatHaveThem) {
   if (!is_compiled("tsph")) GTEST_SKIP();
-  const std::string beta = message_of("sod", {{"sph.scheme", "gadget2"}, {"viscosity.beta", "7"}});
+  const std::string beta = label_message_of("sod", {{"sph.scheme", "gadget2"}, {"viscosity.beta", "7"}});
   for (const char* word : {"viscosity.beta", "gadget2", "sph", "tsph", "osph", "v10"})
     EXPECT_NE(beta.find(word), std::string::npos) << word << ": " << beta;
-  const std::string noise = message_of("kh12", {{"sph.scheme", "tsph"}, {"switch.noise", "0.1"}});
+  const std::string noise = label_message_of("kh12", {{"sph.scheme", "tsph"}, {"switch.noise", "0.1"}});
   for (const char* word : {"switch.noise", "tsph", "sphs", "sphs-morris"})
     EXPECT_NE(noise.find(word), std::string::npos) << word << ": " << noise;
 }

@@ -1,6 +1,6 @@
 """Smoothing kernels, their slopes and half-mass radii, as S12 Fig. 1."""
 
-from style import LINES, plt, save
+from .style import LINES, plt, save
 
 
 def draw_kernels(kernels, path):

@@ -1,16 +1,16 @@
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
-from field_map import draw_image, images_of
-from profiles import draw_field
-from snapshot import Snapshot
-from style import field_label, panels_of, plt, save
+from .field_map import colours_of, draw_image, image_of
+from .profiles import draw_field
+from .snapshot import Snapshot
+from .style import field_label, panels_of, plt, save
 
 COLUMNS = 5
 
 
-def draw_map(axes, snapshot):
-    [frame], [image], colours = images_of([snapshot])
-    draw_image(axes, image, colours, *frame)
+def draw_map(axes, item):
+    image = image_of(item, "rho")
+    draw_image(axes, image, colours_of([image]))
     axes.set(xticks=[], yticks=[])
     for side in axes.spines.values():
         side.set_visible(False)
@@ -25,11 +25,10 @@ def draw_profile(axes, snapshot, name):
 
 
 def draw_tile(axes, item):
-    snapshot = Snapshot(item)
     if item["field"]:
-        draw_profile(axes, snapshot, item["field"])
+        draw_profile(axes, Snapshot(item), item["field"])
     else:
-        draw_map(axes, snapshot)
+        draw_map(axes, item)
 
 
 def draw_gallery(items, path):

@@ -2,7 +2,8 @@
 
 import numpy as np
 from matplotlib.colors import SymLogNorm
-from style import plt, save
+
+from .style import UNSTABLE, plt, save
 
 
 def draw_stability(work):
@@ -13,7 +14,7 @@ def draw_stability(work):
     for row, kind in zip(grid, kinds):
         for axes, panel in zip(row, panels):
             values = np.array(panel["waves"][kind], dtype=float)
-            image = axes.imshow(values, origin="lower", aspect="auto", extent=(0, 1, low, high), cmap="RdBu",
+            image = axes.imshow(values, origin="lower", aspect="auto", extent=(0, 1, low, high), cmap=UNSTABLE,
                                 norm=SymLogNorm(linthresh=1e-3, vmin=-1, vmax=1))
             kappa = (np.arange(values.shape[1]) + 0.5) / values.shape[1]
             support = low + (np.arange(values.shape[0]) + 0.5) / values.shape[0] * (high - low)

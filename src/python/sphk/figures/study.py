@@ -1,9 +1,8 @@
 """Error against run time: four panels of a study, a line a method."""
 
-from style import LINES, MARKERS, plain_ticks, plt, save
+from .style import BAND, LINES, MARKERS, NOTE, OTHERS, plain_ticks, plt, save
 
 STROKES = ["-", "--", ":"]  # once all colours are used
-OTHERS = "#8a8a8a"
 MOST_LABELS = 14  # more points are labelled on the front alone
 
 
@@ -37,7 +36,7 @@ def draw_failures(seconds, order, failures, looks):
             order.plot(failure["n"], 0.985, transform=order.get_xaxis_transform(), **look)
     if failures:
         (order or seconds).annotate("hollow: failed runs", (1.0, 1.01), xycoords="axes fraction", fontsize=10, ha="right",
-                                    va="bottom", color="#555555")
+                                    va="bottom", color=NOTE)
 
 
 def draw_by_method(axes, lines, looks, key):
@@ -59,7 +58,7 @@ def draw_study(work):
     (seconds, order), (pairs, drift) = panels
     points = [point for line in lines for point in line["points"]]
     front = sorted((p for p in points if p["front"]), key=lambda p: p["cpu"])
-    seconds.plot([p["error"] for p in front], [p["cpu"] for p in front], "-", lw=8, color="#dcdcdc", zorder=0,
+    seconds.plot([p["error"] for p in front], [p["cpu"] for p in front], "-", lw=8, color=BAND, zorder=0,
                  solid_capstyle="round", label="nothing is better and cheaper")
     methods = list(dict.fromkeys([line["method"] for line in lines] + [f["method"] for f in failures]))
     looks = {method: look_of(k) for k, method in enumerate(methods)}
@@ -114,7 +113,7 @@ def draw_study(work):
         figure.legend(grey, [h.get_label() for h in grey], loc="upper center", ncol=len(grey),
                       bbox_to_anchor=(0.5, 0.965 - 0.025 * rows))
         seconds.annotate(f"grey: on {machines}", (0.01, 1.0), xycoords="axes fraction", fontsize=10, va="bottom",
-                         color="#555555")
+                         color=NOTE)
     figure.suptitle(work["title"], fontsize=15)
     save(figure, work["out"])
 

@@ -3,9 +3,10 @@ steepest place, |E0|, its components (S12 Fig. 5) and P along the scene's own co
 neighbours are."""
 
 import numpy as np
-from field_map import add_colour_bar, draw_image, images_of
-from profiles import bin_means, draw_errors_of_force, points_of, some_of
-from style import MEAN, PARTICLES, field_label, plt, save, share_limits, time_of, with_unit
+
+from .field_map import add_colour_bar, colours_of, draw_image, image_of, range_of
+from .profiles import bin_means, draw_errors_of_force, points_of, some_of
+from .style import MEAN, PARTICLES, SEQUENTIAL, field_label, plt, save, share_limits, time_of, with_unit
 
 ZOOM = 0.24  # side of the close-up, in units of the box
 
@@ -16,8 +17,7 @@ def in_slice(snapshot):
     if item["dimension"] < 3:
         return np.ones(len(snapshot.x), dtype=bool)
     spacing = np.cbrt(snapshot.value("m") / snapshot.value("rho")).mean()
-    middle = item["box_lower"][2] + 0.5 * item["box_size"][2]
-    return np.abs(snapshot.x[:, 2] - middle) < 0.75 * spacing
+    return np.abs(snapshot.x[:, 2] - item["images"]["rho"]["z"]) < 0.75 * spacing
 
 
 def along_abscissa(snapshot):
@@ -25,8 +25,15 @@ def along_abscissa(snapshot):
     return True if snapshot.item["abscissa"] == "r" else in_slice(snapshot)
 
 
-def steepest_place(image, lower, size):
+def corners(image):
+    """Lower corner and size."""
+    x0, x1, y0, y1 = image.window
+    return np.array([x0, y0]), np.array([x1 - x0, y1 - y0])
+
+
+def steepest_place(image):
     """Where the density changes most inside the gas: the centre of the close-up."""
+    lower, size = corners(image)
     slope = np.nan_to_num(np.hypot(*np.gradient(np.log(image.values))))
     rows = slope.shape[0]
     slope[: rows // 2] = 0  # of two interfaces, the upper one
@@ -34,13 +41,15 @@ def steepest_place(image, lower, size):
     return lower + (np.array([column, row]) + 0.5) / np.array(image.values.T.shape) * size
 
 
-def draw_close_up(axes, snapshot, lower, size, centre, side):
+def draw_close_up(axes, snapshot, image, centre):
+    lower, size = corners(image)
+    side = ZOOM * size.max()
     centre = np.clip(centre, lower + side / 2, lower + size - side / 2)
     here = in_slice(snapshot)
     x, colour = snapshot.x[here], np.log(snapshot.value("rho")[here])
     near = (np.abs(x[:, :2] - centre) < side / 2).all(1)
     size = np.clip(40000 / max(near.sum(), 1), 3, 60)
-    axes.scatter(x[near, 0], x[near, 1], s=size, c=colour[near], cmap="viridis", vmin=colour.min(), vmax=colour.max(), lw=0)
+    axes.scatter(x[near, 0], x[near, 1], s=size, c=colour[near], cmap=SEQUENTIAL, vmin=colour.min(), vmax=colour.max(), lw=0)
     axes.set(xlim=(centre[0] - side / 2, centre[0] + side / 2), ylim=(centre[1] - side / 2, centre[1] + side / 2))
     axes.set_aspect("equal")
     axes.grid(False)
@@ -75,20 +84,21 @@ def draw_nearest(axes, snapshot):
 
 
 def draw_errors(snapshots, path):
-    frames, images, colours = images_of(snapshots)
+    images = [image_of(snapshot.item, "rho") for snapshot in snapshots]
+    colours = colours_of(images)
     figure, grid = plt.subplots(len(snapshots), 6, squeeze=False, figsize=(31, 4.7 * len(snapshots)),
                                 constrained_layout=True)
-    for row, snapshot, (lower, size), image in zip(grid, snapshots, frames, images):
+    for row, snapshot, image in zip(grid, snapshots, images):
         item = snapshot.item
-        picture = draw_image(row[0], image, colours, lower, size)
+        picture = draw_image(row[0], image, colours)
         row[0].set(title=f"{item['title']}\n{time_of(item)}", xlabel=with_unit("$x$", item, "x"),
                    ylabel=with_unit("$y$", item, "x"))
-        draw_close_up(row[1], snapshot, lower, size, steepest_place(image, lower, size), ZOOM * size.max())
+        draw_close_up(row[1], snapshot, image, steepest_place(image))
         draw_along(row[2], snapshot, "|E0|", True)
         draw_components(row[3], snapshot)
         draw_along(row[4], snapshot, "P", False)
         draw_nearest(row[5], snapshot)
-    add_colour_bar(figure, picture, images, field_label(item, "rho"), ax=list(grid[:, 0]), aspect=20 * len(snapshots))
+    add_colour_bar(figure, picture, range_of(images), field_label(item, "rho"), ax=list(grid[:, 0]), aspect=20 * len(snapshots))
     share_limits(grid[:, 2], decades=6)
     share_limits(grid[:, 3])
     share_limits(grid[:, 4])

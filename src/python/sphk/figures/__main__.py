@@ -1,5 +1,7 @@
-"""Draws the figures of `sphk plot`: reads a work order (JSON) on standard input, prints the names of the files."""
+"""Draws what a work order (JSON on standard input) asks for, and prints the names of the files. The arguments are the
+packages that this needs: exit code 86 where one of them is missing."""
 
+import importlib.util
 import json
 import os
 import sys
@@ -12,33 +14,20 @@ if not os.access(os.path.expanduser("~"), os.W_OK):
 
     os.environ.setdefault("MPLCONFIGDIR", tempfile.mkdtemp(prefix="sphk-plot-"))
 
-try:
-    import h5py  # noqa: F401
-    import matplotlib  # noqa: F401
-    import numpy  # noqa: F401
-except ImportError:
+if not all(importlib.util.find_spec(package) for package in sys.argv[1:]):
     sys.exit(MISSING_PACKAGE)
 
-from errors import draw_errors
-from field_map import draw_field_maps, draw_frames
-from gallery import draw_gallery
-from history import draw_conservation, draw_history, errors_at, read_history
-from kernels import draw_kernels
-from profiles import draw_one_field, draw_profiles, shared_limits
-from snapshot import Snapshot
-from stability import draw_stability
-from study import draw_speed, draw_study
-
-
-def has_map(item):
-    """Does a slice show more than the profile? Always in 2D; in 3D around a centre and where the scene says so."""
-    return item["dimension"] == 2 or (item["dimension"] == 3 and (item["map"] or item["abscissa"] in ("R", "r")))
-
-
-def map_path(item):
-    """Of the map beside a figure of profiles."""
-    name, ending = os.path.splitext(item["out"])
-    return name + "_map" + ending
+from .errors import draw_errors
+from .field_map import draw_field_maps, draw_frames
+from .gallery import draw_gallery
+from .history import draw_conservation, draw_history, errors_at, read_history
+from .kernels import draw_kernels
+from .movie import draw_movie
+from .pages import write_page
+from .profiles import draw_one_field, draw_profiles, shared_limits
+from .snapshot import Snapshot
+from .stability import draw_stability
+from .study import draw_speed, draw_study
 
 
 def draw_one_field_of(work):
@@ -54,8 +43,7 @@ def draw_run(work):
     shared = shared_limits(Snapshot(item) for item in items)
     for item in items:
         draw_profiles(Snapshot(item), errors_at(history, item["time"]), shared, item["out"])
-    views = {"rho": None} | ({"alpha": None} if items[-1]["map"] else {})  # S12 Fig. 8
-    draw_frames([item for item in items if has_map(item)], views, map_path)
+    draw_frames([item for item in items if item["images"]], {})
     if work.get("history_out") and len(history.get("time", [])) > 1:
         draw_history(history, work["references"], items[-1], work["history_out"])
 
@@ -65,14 +53,19 @@ FIGURES = {  # by the key that only the work order of such a figure has
     "conservation": lambda work: draw_conservation(work["conservation"], work["out"]),
     "study": draw_study,
     "speed": draw_speed,
+    "page": write_page,
     "gallery": lambda work: draw_gallery(work["gallery"], work["out"]),
     "kernels": lambda work: draw_kernels(work["kernels"], work["out"]),
     "errors": lambda work: draw_errors([Snapshot(item) for item in work["errors"]], work["out"]),
     "profiles": draw_one_field_of,
-    "maps": lambda work: draw_field_maps([Snapshot(item) for item in work["maps"]], work["field"], work["view"],
-                                         work["out"]),
-    "frames": lambda work: draw_frames(work["frames"], {work["field"]: work["view"]}, lambda item: item["out"]),
+    "movie": draw_movie,
+    "maps": lambda work: draw_field_maps(work["maps"], work["field"], work["view"], work["out"]),
+    "frames": lambda work: draw_frames(work["frames"], {work["field"]: work["view"]}),
 }
 
 work = json.load(sys.stdin)
-next((draw for key, draw in FIGURES.items() if work.get(key)), draw_run)(work)
+try:
+    if work:
+        next((draw for key, draw in FIGURES.items() if work.get(key)), draw_run)(work)
+except OSError as problem:
+    sys.exit(f"{problem.filename}: {problem.strerror}")

@@ -1,13 +1,13 @@
 """Particles as light points, their means in bins, and the exact solution, one panel a field."""
 
 import numpy as np
-from style import (EXACT, LINES, MEAN, PARTICLES, field_label, label_of, panels_of, save, set_view, share_limits,
-                   time_of)
+
+from .style import (AXES, EXACT, LINES, MEAN, NOTE, PARTICLES, field_label, label_of, panels_of, save, set_view,
+                    share_limits, time_of)
 
 MOST_POINTS = 20000
 BINS = 50
 RARE, FAR = 0.5, 0.3  # per cent of the particles at either end, and how far beyond the others they still set an axis
-COMPONENTS = {"x": "#000000", "y": "#d55e00", "z": "#0072b2"}  # S12 Fig. 5
 
 
 def bin_means(s, y, low, high):
@@ -38,7 +38,7 @@ def tell_hidden(axes, values):
                                         (values < low, values.min(initial=low), 0, "bottom")):
         if beyond.any():
             axes.annotate(f"{'above' if place else 'below'}: {beyond.sum()}, to {extreme:.3g}", (0.98, place),
-                          xycoords="axes fraction", ha="right", va=end, fontsize=10, color="#555555")
+                          xycoords="axes fraction", ha="right", va=end, fontsize=10, color=NOTE)
 
 
 def points_of(snapshot, name, among=True):
@@ -82,7 +82,7 @@ def draw_field(axes, snapshot, name, point=None, mean=5, edge=1.3, line=1.8):
 
 
 def parts_of(snapshot):
-    return list(COMPONENTS)[: snapshot.item["dimension"]]
+    return list(AXES)[: snapshot.item["dimension"]]
 
 
 def draw_errors_of_force(axes, snapshot, among=True):
@@ -91,9 +91,9 @@ def draw_errors_of_force(axes, snapshot, among=True):
     item, low, high = snapshot.item, snapshot.item["from"], snapshot.item["to"]
     for part in parts_of(snapshot):
         s, y = points_of(snapshot, f"E0_{part}", among)
-        axes.plot(*some_of(s, y), ".", ms=4 if len(s) < 3000 else 2.5, color=COMPONENTS[part], alpha=0.5, mew=0,
+        axes.plot(*some_of(s, y), ".", ms=4 if len(s) < 3000 else 2.5, color=AXES[part], alpha=0.5, mew=0,
                   rasterized=True, label=label_of(f"E0_{part}"))
-    means = [("|E0|", "-", "#000000")]
+    means = [("|E0|", "-", AXES["x"])]
     if item["abscissa"] in ("R", "r"):
         means.append((f"E0_{item['abscissa']}", "--", LINES[2]))
     for name, stroke, colour in means:

@@ -14,7 +14,10 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 PARTICLES = "#9ab8d3"
 MEAN = "#0072b2"
 EXACT = "#d55e00"
+AXES = {"x": "#000000", "y": EXACT, "z": MEAN}  # a vector's components, as S12 Fig. 5
+NOTE, OTHERS, BAND = "#555555", "#8a8a8a", "#dcdcdc"  # words in a figure, marks and lines that stand back
 LINES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
+SEQUENTIAL, DIVERGING, UNSTABLE = "viridis", "RdBu_r", "RdBu"  # maps of colours that the colour-blind read, too
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 
 plt.rcParams.update({
@@ -31,6 +34,8 @@ plt.rcParams.update({
     "axes.spines.right": False,
     "legend.frameon": False,
     "mathtext.fontset": "dejavusans",
+    "pdf.fonttype": 42,  # fonts are embedded, as papers want them
+    "ps.fonttype": 42,
 })
 
 # Axis label of every quantity a figure can show; label_of() adds the unit.
@@ -54,6 +59,7 @@ COMPONENTS = {VELOCITY: "velocity $v_{%s}$", ERROR: "$E_{0,%s}$"}
 WAYS = {"R": "radial ", "r": "radial ", "phi": "azimuthal "}  # which way a component points
 LENGTHS = {"y": "x", "R": "x", "r": "x", "h": "x"}  # have the unit of x
 NEVER_NEGATIVE = {"rho", "P", "u", "A", "m", "h"}
+VANISHING = {"rho", "P"}  # are 0 where there is no gas
 WITHIN_ONE = {"alpha"}  # from 0 to 1, or somewhat more
 
 
@@ -76,7 +82,7 @@ def field_label(item, name):
     """Axis label of a field or coordinate of a work order's run, with its unit."""
     base = name.strip("|").rpartition("_")[0] or name.strip("|")
     quantity = "v" if VECTORS.get(base) == VELOCITY else name
-    return with_unit(label_of(name, item.get("names", {}).get(name, ("", ""))[1]), item, quantity)
+    return with_unit(label_of(name, item.get("parts", {}).get(name, "")), item, quantity)
 
 
 def label_of(name, part=""):
@@ -137,10 +143,15 @@ def plain_ticks(axis, low, high):
     axis.set_minor_formatter(NullFormatter())
 
 
-def save(figure, path):
-    figure.savefig(path, bbox_inches="tight")
-    plt.close(figure)
+def tell(path):
+    """Prints the name of a file that is ready."""
     try:
         print(path, flush=True)
     except BrokenPipeError:  # whoever read the names has gone: the figures are still wanted
         sys.stdout = open(os.devnull, "w", encoding="utf-8")
+
+
+def save(figure, path):
+    figure.savefig(path, bbox_inches="tight")
+    plt.close(figure)
+    tell(path)

@@ -3,7 +3,8 @@
 import csv
 
 import numpy as np
-from style import LINES, MARKERS, panels_of, plain_ticks, plt, save, with_unit
+
+from .style import LINES, MARKERS, NOTE, panels_of, plain_ticks, plt, save, with_unit
 
 DRIFTS = {
     "energy_drift": "energy",
@@ -12,7 +13,7 @@ DRIFTS = {
     "mass_drift": "mass",
 }
 SYMBOLS = {"v": "$v$", "rho": r"$\rho$", "P": "$P$"}
-PERCENT = 0.01
+PERCENT, NEAR = 0.01, 0.01
 ENERGIES = {"total_energy": "total", "kinetic_energy": "kinetic", "thermal_energy": "thermal"}
 
 MEASURES = {
@@ -76,14 +77,15 @@ def draw_lines(axes, history, names, first=0):
 
 
 def scale_drifts(axes, drifts):
-    """A logarithmic axis for these arrays, which ends where they end, not at what is exactly 0."""
+    """A logarithmic axis for these arrays, which ends where they end, not at what is exactly 0; one per cent is on it
+    where they come near that."""
     seen = np.concatenate([drift[drift > 0] for drift in drifts] + [np.empty(0)])
     if len(seen):
         axes.set_yscale("log", nonpositive="mask")
-        axes.set_ylim(0.5 * seen.min(), 2 * max(seen.max(), PERCENT))
+        axes.set_ylim(0.5 * seen.min(), 2 * max(seen.max(), PERCENT if seen.max() > NEAR * PERCENT else 0))
     else:
         axes.set(yticks=[], ylim=(1, 2))
-        axes.annotate("no drift at all", (0.5, 0.5), xycoords="axes fraction", ha="center", color="#555555")
+        axes.annotate("no drift at all", (0.5, 0.5), xycoords="axes fraction", ha="center", color=NOTE)
 
 
 def draw_drifts(axes, history):
@@ -145,9 +147,9 @@ def draw_conservation(runs, path):
             axes.plot((time[1:] - time[0]) / (time[-1] - time[0]), drifts[-1], "-", marker=MARKERS[k % len(MARKERS)],
                       ms=4, lw=1.6, color=LINES[k % len(LINES)], label=runs[k]["title"])
         scale_drifts(axes, drifts)
-        if any((drift > 0).any() for drift in drifts):
-            axes.axhline(PERCENT, color="#555555", lw=1, ls=":")
-            axes.annotate("1 %", (1.01, PERCENT), xycoords=axes.get_yaxis_transform(), color="#555555", fontsize=11,
+        if axes.get_ylim()[1] > PERCENT and axes.get_yscale() == "log":
+            axes.axhline(PERCENT, color=NOTE, lw=1, ls=":")
+            axes.annotate("1 %", (1.01, PERCENT), xycoords=axes.get_yaxis_transform(), color=NOTE, fontsize=11,
                           va="center")
         axes.set_ylabel("relative drift of " + label)
     for axes in grid[-1]:

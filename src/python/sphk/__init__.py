@@ -1,0 +1,1 @@
+"""Smoothed-particle hydrodynamics for compressible gas."""
