@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Sphinx: pages in MyST, what the program tells of itself, and the C++ interface by way of Doxygen.
 
     pip install -r docs/requirements.txt         # and doxygen, from your system

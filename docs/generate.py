@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pages that the program writes: its commands, scenes, schemes and keys, as it tells them itself. conf.py puts each in
 the place of the line `% generated: NAME` of a page.
 To see one: SPHK_PROGRAM=build/openmp/bin/sphk python3 docs/generate.py commands"""
