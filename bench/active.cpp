@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Cost of an update where only some particles are active, and of a blast with steps of the particles' own.
 #include <cmath>
 #include <numbers>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The parts of a step apart: the cell build, the density loop, the rates loop.
 #include "bench/measure.hpp"
 #include "kernels/passes/gradients.hpp"

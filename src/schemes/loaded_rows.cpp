@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Schemes as shared objects beside the library: NAME_2d.so and so on, in the folder sphk.
 #include <fcntl.h>
 #include <fmt/format.h>

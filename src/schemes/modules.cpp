@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/modules.hpp"
 
 #include <fmt/format.h>

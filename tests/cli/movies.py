@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Films and live pictures. Usage: movies.py SPHK; exit code 77: no matplotlib."""
 
 import os

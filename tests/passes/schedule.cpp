@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Steps of the particles' own: powers of two, no longer than asked, neighbours within a factor 4, sleepers woken.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DBUILD=... -DWORK=... -P modules_on_demand.cmake
 # A run compiles the module that it asks for where the build folder lacks it, says so, and the next one finds it.
 cmake_minimum_required(VERSION 3.24)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Looks of all figures: colours that colour-blind readers tell apart (Okabe and Ito), sizes readable at half size."""
 
 import os
