@@ -28,7 +28,7 @@ Array map_of(const Rows& places, const Numbers& volume, const Numbers& value, co
   std::ranges::copy(box_lower, frame.box.lower.begin());
   std::ranges::copy(box_size, frame.box.size.begin());
   std::ranges::copy(periodic, frame.box.periodic.begin());
-  return array_of(computing([&] { return project(gas, frame).values; }), static_cast<std::size_t>(pixels[0]));
+  return array_of(computing([&] { return project(gas, frame).values; }), static_cast<std::size_t>(pixels[0]), true);
 }
 
 }  // namespace
