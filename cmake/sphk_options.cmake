@@ -16,6 +16,7 @@ if(Kokkos_ENABLE_CUDA OR Kokkos_ENABLE_HIP)
 endif()
 if(SPHK_MODULES)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)  # bin, lib and share of a build folder may be taken elsewhere together
   set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../lib")
   set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
   # A function that is called where it is defined may be inlined there, as in a static library.

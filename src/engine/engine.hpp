@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "src/engine/archive.hpp"
+#include "src/engine/gains.hpp"
 #include "src/engine/heating.hpp"
+#include "src/engine/held.hpp"
 #include "src/engine/load_run.hpp"
 #include "src/engine/neighbour_counts.hpp"
 #include "src/engine/output.hpp"
@@ -70,24 +72,18 @@ class Engine final : public Simulation {
   }
 
   void heat(const Array3& place, double energy) override {
-    StepClock& clock = run_.state.clock;
-    if (clock.individual) {
-      if (!all_in_step()) wake_all(run_.state);
-      clock.now = clock.next = 0;
-      Kokkos::deep_copy(ExecutionSpace(), clock.begin, 0);
-      Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
-      fit_ranges(run_.state, run_.schedule);
-    }
-    passes_->predict(run_);
-    clock.dt = 0;
-    run_.state.active.everyone = true;
-    const Energies u = energies_at(run_, run_.state.state_density_row);
+    const Energies u = end_all_steps();
     heat_nearest(run_.state, u, place, energy);
-    settle_at(u);
     heated_ += energy;
-    run_passes();
-    require_finite();
-    start_ = run_.time;
+    begin_all_steps(u);
+  }
+
+  void add(const Gains& gains) override {
+    const Energies u = end_all_steps();
+    const double before = totals().energy();
+    add_gains(run_.state, u, gains);
+    begin_all_steps(u);
+    heated_ += totals().energy() - before;
   }
 
   double time() const override { return run_.time; }
@@ -120,6 +116,10 @@ class Engine final : public Simulation {
       view.fields.back().make = [this] { return std::vector<double>(tags_.begin(), tags_.end()); };
     }
     return view;
+  }
+
+  HeldParticles held() const override {
+    return all_in_step() ? held_in(run_.state, facts_) : HeldParticles{ids_of(run_.state), {}, {}};
   }
 
   std::vector<Field> rates(bool split) override {
@@ -204,6 +204,30 @@ class Engine final : public Simulation {
 
   void settle_at(const Energies& u) {
     take_energies(run_.state, u, [&] { passes_->run(facts_.density_pass, run_); });
+  }
+
+  /// All particles at the present time, and their specific energies.
+  Energies end_all_steps() {
+    StepClock& clock = run_.state.clock;
+    if (clock.individual) {
+      if (!all_in_step()) wake_all(run_.state);
+      clock.now = clock.next = 0;
+      Kokkos::deep_copy(ExecutionSpace(), clock.begin, 0);
+      Kokkos::deep_copy(ExecutionSpace(), clock.end, 0);
+      fit_ranges(run_.state, run_.schedule);
+    }
+    passes_->predict(run_);
+    clock.dt = 0;
+    run_.state.active.everyone = true;
+    return energies_at(run_, run_.state.state_density_row);
+  }
+
+  /// Goes on with these energies and the shortest step that any particle asks for.
+  void begin_all_steps(const Energies& u) {
+    settle_at(u);
+    run_passes();
+    require_finite();
+    start_ = run_.time;
   }
 
   bool all_in_step() const {

@@ -45,6 +45,13 @@ void ScaledSimulation::heat(const Array3& place, double energy) {
           [&] { inner_->heat(scaled(place, 1 / scale_.factor(length_unit)), energy / scale_.factor(energy_unit)); });
 }
 
+void ScaledSimulation::add(const Gains& gains) {
+  Gains inner = gains;
+  for (double& v : inner.velocity) v /= scale_.factor(speed_unit);
+  for (double& u : inner.energy) u /= scale_.factor(specific_energy_unit);
+  told_in(scale_, [&] { inner_->add(inner); });
+}
+
 double ScaledSimulation::time() const {
   return inner_->time() * scale_.factor(time_unit);
 }
@@ -79,6 +86,12 @@ Snapshot ScaledSimulation::view() const {
       return values;
     };
   return view;
+}
+
+HeldParticles ScaledSimulation::held() const {
+  HeldParticles held = inner_->held();
+  for (HeldField& field : held.fields) field.factor = scale_.factor(field.units);
+  return held;
 }
 
 void ScaledSimulation::save(const TakeBlock& take) const {

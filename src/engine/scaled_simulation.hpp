@@ -16,12 +16,14 @@ class ScaledSimulation final : public Simulation {
 
   StepReport step(double t_end) override;
   void heat(const Array3& place, double energy) override;
+  void add(const Gains& gains) override;
   double time() const override;
   std::size_t size() const override { return inner_->size(); }
   Totals totals() const override;
   Costs costs() const override { return inner_->costs(); }
   StepReport last_step() const override { return outer(inner_->last_step()); }
   Snapshot view() const override;
+  HeldParticles held() const override;
   std::vector<Field> rates(bool split) override { return outer(inner_->rates(split)); }
   std::vector<Field> errors() const override { return outer(inner_->errors()); }
   void save(const TakeBlock& take) const override;

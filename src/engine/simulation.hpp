@@ -40,7 +40,7 @@ struct SimulationSettings {
 struct Totals {
   double mass = 0, kinetic = 0, thermal = 0;
   double potential = 0;  ///< of the gas and the central mass
-  double heated = 0;     ///< energy that Simulation::heat has added
+  double heated = 0;     ///< energy that Simulation::heat and add have added
   Array3 momentum{}, angular_momentum{};
   double momentum_sizes = 0, angular_momentum_sizes = 0;  ///< sums of m |v| and m |x cross v|
   double max_speed = 0;
@@ -86,6 +86,32 @@ struct HeatEvent {
   double energy = 0;
 };
 
+/// A field where a run holds it: component k of particle i at data[k * stride + i], in the run's own units.
+struct HeldField {
+  std::string name;
+  UnitExponents units;
+  int components = 1;
+  double factor = 1;  ///< to the user's units
+  const double* data = nullptr;
+  std::size_t stride = 0;
+};
+
+/// Particles in the run's own order, along its curve through space, which a step may change: their ids, and the fields
+/// that it holds itself. On hosts these are the run's memory, not a copy, which stays for as long as `memory` does;
+/// what it holds is that of now until the next step. Positions may lie a step outside of a periodic box. Without fields
+/// while some particles are in the middle of their steps.
+struct HeldParticles {
+  std::vector<std::uint64_t> id;
+  std::vector<HeldField> fields;
+  std::shared_ptr<const void> memory;
+};
+
+/// What particles take in at once, in the order of HeldParticles; empty: nothing.
+struct Gains {
+  std::vector<double> velocity;  ///< as many numbers a particle as there are dimensions
+  std::vector<double> energy;    ///< specific
+};
+
 /// A run in progress. Created by make_simulation (src/schemes/registry.hpp).
 class Simulation {
  public:
@@ -120,6 +146,11 @@ class Simulation {
   void restore(const SavedState& state);
   virtual void restore(const GiveBlock& give) = 0;
   virtual Counts counts() const = 0;
+  /// Adds to the velocities and specific energies of all particles, now; steps end and begin as with heat(). Throws
+  /// InputError where the gains are not those of so many particles, NumericsError where an energy would fall below
+  /// zero.
+  virtual void add(const Gains& gains) = 0;
+  virtual HeldParticles held() const = 0;
   /// Sentences the user should read once: what counts() tells.
   std::vector<std::string> warnings() const;
 };

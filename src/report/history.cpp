@@ -16,7 +16,13 @@ namespace {
 
 constexpr const char* last_standard_column = "mass_drift";
 
-/// The standard columns and their values, in the file's order.
+double value_of(const History::Measures& measures, const std::string& name) {
+  const auto it = std::ranges::find(measures, name, &History::Measures::value_type::first);
+  return it == measures.end() ? std::numeric_limits<double>::quiet_NaN() : it->second;
+}
+
+}  // namespace
+
 History::Measures standard_columns(const StepReport& step, const Totals& t, const Conservation& drift) {
   const auto& p = t.momentum;
   const auto& l = t.angular_momentum;
@@ -48,13 +54,6 @@ History::Measures standard_columns(const StepReport& step, const Totals& t, cons
           {"angular_momentum_drift", drift.angular_momentum},
           {last_standard_column, drift.mass}};
 }
-
-double value_of(const History::Measures& measures, const std::string& name) {
-  const auto it = std::ranges::find(measures, name, &History::Measures::value_type::first);
-  return it == measures.end() ? std::numeric_limits<double>::quiet_NaN() : it->second;
-}
-
-}  // namespace
 
 History::History(const std::filesystem::path& path) : path_(path), file_(path) {
   if (!file_)

@@ -34,6 +34,9 @@ class History {
   bool started_ = false;
 };
 
+/// The standard columns of a row, in the file's order.
+History::Measures standard_columns(const StepReport& step, const Totals& totals, const Conservation& drift);
+
 /// A row of a history, by column.
 using HistoryRow = std::map<std::string, double>;
 /// The rows that are there; numbers come back as they were written, bit by bit. Throws InputError where there is no

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 
 #include "src/engine/errors.hpp"
 #include "src/run/file_scene.hpp"
@@ -150,6 +151,12 @@ void finish(Problem& problem, const std::vector<std::string>& problems) {
   adapt(problem);
 }
 
+void finish(Problem& problem, std::vector<std::string> problems, const std::vector<Override>& overrides) {
+  std::ranges::move(clashes(overrides), std::back_inserter(problems));
+  std::ranges::move(apply_overrides(problem.settings, overrides), std::back_inserter(problems));
+  finish(problem, problems);
+}
+
 /// Do the settings say what "key=value" would? A label says what each of its keys does.
 bool has_as(const Settings& settings, const std::string& text) {
   const auto equals = text.find('=');
@@ -249,9 +256,15 @@ Problem resolve_problem(const std::string& what, const std::vector<Override>& ov
   } else {
     take_scene(problem, find_scene(what));
   }
-  for (auto& message : clashes(overrides)) problems.push_back(std::move(message));
-  for (auto& message : apply_overrides(problem.settings, overrides)) problems.push_back(std::move(message));
-  finish(problem, problems);
+  finish(problem, std::move(problems), overrides);
+  return problem;
+}
+
+Problem resolve_problem(std::unique_ptr<Scene> scene, const std::vector<Override>& overrides) {
+  Problem problem;
+  problem.owned = std::move(scene);
+  take_scene(problem, *problem.owned);
+  finish(problem, {}, overrides);
   return problem;
 }
 

@@ -52,6 +52,9 @@ std::vector<std::string> limits_met(const Problem& problem, const ParticleSet& g
 /// wrong type and value out of range of the file and of the overrides.
 Problem resolve_problem(const std::string& what, const std::vector<Override>& overrides);
 
+/// The same of a scene that is in no list.
+Problem resolve_problem(std::unique_ptr<Scene> scene, const std::vector<Override>& overrides);
+
 /// The problem of a run by its scene file. Where the initial condition that it names is gone, the particles of
 /// `snapshot`, one of the run's, stand in for it. Throws InputError.
 Problem resolve_run(const SceneFile& file, const std::filesystem::path& snapshot);

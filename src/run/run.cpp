@@ -65,7 +65,8 @@ RunLoop::Plan make_plan(const Settings& settings, double begin, double walltime)
   return plan;
 }
 
-/// What is known before the first step.
+}  // namespace
+
 RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   const SimulationSettings s = simulation_settings(problem.settings);
   const SchemeDescription description = describe(s, particles);
@@ -102,21 +103,13 @@ RunRecord make_record(const Problem& problem, const ParticleSet& particles) {
   return record;
 }
 
-std::string headline(const RunRecord& r) {
-  return fmt::format(
-      "sphk {}: {} with {} particles in {}D; {} on {}, {} thread{}, {} precision; scheme {}, kernel {}, {:g} "
-      "neighbours",
-      r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device, r.platform.threads,
-      r.platform.threads == 1 ? "" : "s", r.platform.precision, r.scheme, r.kernel, r.neighbours);
-}
-
-void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output, const Simulation& simulation,
+void add_results(RunRecord& record, const LoopState& done, const RunOutput& output, const Simulation& simulation,
                  const Box& box) {
-  record.steps = loop.state().steps;
+  record.steps = done.steps;
   record.time = simulation.time();
-  record.wall_seconds = loop.state().wall;
-  record.cpu_seconds = loop.state().cpu;
-  record.joules = loop.state().joules;
+  record.wall_seconds = done.wall;
+  record.cpu_seconds = done.cpu;
+  record.joules = done.joules;
   record.output_seconds = output.seconds();
   record.costs = simulation.costs();
   record.counts = simulation.counts();
@@ -131,6 +124,16 @@ void add_results(RunRecord& record, const RunLoop& loop, const RunOutput& output
                     100 * record.conservation.energy));
   for (const std::string& warning : simulation.warnings())
     if (std::ranges::find(record.warnings, warning) == record.warnings.end()) record.warnings.push_back(warning);
+}
+
+namespace {
+
+std::string headline(const RunRecord& r) {
+  return fmt::format(
+      "sphk {}: {} with {} particles in {}D; {} on {}, {} thread{}, {} precision; scheme {}, kernel {}, {:g} "
+      "neighbours",
+      r.build.version, r.scene, r.particles, r.dimension, r.platform.backend, r.platform.device, r.platform.threads,
+      r.platform.threads == 1 ? "" : "s", r.platform.precision, r.scheme, r.kernel, r.neighbours);
 }
 
 /// The problem of a run's folder. A scene file that has lost its end is taken from the newest checkpoint.
@@ -219,7 +222,7 @@ RunResult run(const RunRequest& request) {
   if (request.watch > 0) picture.emplace(output, progress, request.watch, scene.plot_hint(settings).map);
   if (picture) loop.each_step([&] { picture->look(*simulation); });
   const auto conclude = [&] {
-    add_results(record, loop, output, *simulation, box);
+    add_results(record, loop.state(), output, *simulation, box);
     write_atomically(output.folder() / "run.json", run_json(record));
   };
   if (finishes(loop, output, checkpoints, record, conclude)) {

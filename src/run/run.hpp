@@ -8,7 +8,9 @@
 
 #include "src/report/progress.hpp"
 #include "src/report/run_record.hpp"
+#include "src/run/checkpoints.hpp"
 #include "src/run/problem.hpp"
+#include "src/run/run_output.hpp"
 
 namespace sphk {
 
@@ -33,6 +35,11 @@ struct RunResult {
 
 /// The problem that a request names. Throws InputError.
 Problem problem_of(const RunRequest& request);
+
+/// What is known of a run before its first step, and what it came to.
+RunRecord make_record(const Problem& problem, const ParticleSet& particles);
+void add_results(RunRecord& record, const LoopState& done, const RunOutput& output, const Simulation& simulation,
+                 const Box& box);
 
 /// Runs to the end time, or until it is stopped, and leaves the run's folder: snapshots, history.csv, run.json,
 /// scene.used.toml; a stopped run a checkpoint as well. Kokkos must be running. Throws InputError, and NumericsError

@@ -133,6 +133,60 @@ TEST(Heat, ComesToTheNearestParticleAlone) {
   }
 }
 
+// Particle i of the run's own order gains i of velocity along y and 0.5 of specific energy, whatever its id.
+TEST(Gains, ComeToTheParticlesOfTheRunsOrder) {
+  for (const bool individual : {false, true}) {
+    ColdGas cold(individual);
+    const auto run = make_simulation(cold.particles, cold.settings);
+    for (int k = 0; k < 3; ++k) run->step(50);
+    const Snapshot before = run->snapshot();
+    const double energy = run->totals().energy();
+    const std::vector<std::uint64_t> ids = run->held().id;
+    Gains gains{std::vector<double>(3 * ids.size()), std::vector<double>(ids.size(), 0.5)};
+    for (std::size_t i = 0; i < ids.size(); ++i) gains.velocity[3 * i + 1] = static_cast<double>(i);
+    run->add(gains);
+    const Snapshot after = run->snapshot();
+    const auto &v = before.field("Velocities").values, &u = before.field("InternalEnergies").values;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const std::size_t row = ids[i] - 1;
+      EXPECT_NEAR(after.field("Velocities").values[3 * row + 1], v[3 * row + 1] + static_cast<double>(i), 1e-9);
+      EXPECT_NEAR(after.field("InternalEnergies").values[row], u[row] + 0.5, 1e-7);
+    }
+    EXPECT_NEAR(run->totals().heated, run->totals().energy() - energy, 1e-6 * run->totals().energy());
+  }
+}
+
+TEST(Gains, ThatNobodyCanTakeAreRefused) {
+  ColdGas cold(false);
+  const auto run = make_simulation(cold.particles, cold.settings);
+  EXPECT_THROW(run->add({{1, 2, 3}, {}}), InputError);
+  EXPECT_THROW(run->add({{}, std::vector<double>(cold.particles.size(), -1)}), NumericsError);
+  run->step(50);  // it goes on as if nothing had been asked
+}
+
+// What a run holds is what its snapshot shows, in another order and in the run's own units.
+TEST(Held, ShowsTheStateWithoutACopy) {
+  ColdGas cold(false);
+  const auto run = make_simulation(cold.particles, cold.settings);
+  run->step(50);
+  const HeldParticles held = run->held(), again = run->held();
+  const Snapshot snapshot = run->snapshot();
+  ASSERT_EQ(held.fields.size(), again.fields.size());
+  for (std::size_t f = 0; f < held.fields.size(); ++f) {
+    const HeldField& field = held.fields[f];
+    EXPECT_EQ(field.data, again.fields[f].data);
+    const auto& shown = snapshot.field(field.name);
+    if (field.components != shown.components) continue;
+    for (std::size_t i = 0; i < held.id.size(); ++i)
+      for (int k = 0; k < field.components; ++k) {
+        const double own = field.data[static_cast<std::size_t>(k) * field.stride + i] * field.factor;
+        EXPECT_DOUBLE_EQ(
+            own,
+            shown.values[(held.id[i] - 1) * static_cast<std::size_t>(field.components) + static_cast<std::size_t>(k)]);
+      }
+  }
+}
+
 TEST(Heat, AcrossAPeriodicFace) {
   ColdGas cold(false);
   cold.particles.x[5] = {0.999, 0.5, 0.5};

@@ -32,6 +32,7 @@ class Clock : public Simulation {
     return last_;
   }
   void heat(const Array3&, double energy) override { heated += energy, heat_times.push_back(last_.time); }
+  void add(const Gains&) override {}
   double time() const override { return last_.time; }
   std::size_t size() const override { return 1; }
   Totals totals() const override {
@@ -50,6 +51,7 @@ class Clock : public Simulation {
       s.fields.push_back({.name = name, .description = "", .units = {}, .components = 3, .values = {0.5, 0.5, 0.5}});
     return s;
   }
+  HeldParticles held() const override { return {.id = {1}, .fields = {}, .memory = {}}; }
   std::vector<Field> rates(bool) override { return {}; }
   std::vector<Field> errors() const override { return {}; }
   void save(const TakeBlock& take) const override {

@@ -24,6 +24,7 @@ set(src/report_may src/scenes ${src/scenes_may})
 set(src/run_may src/report src/io src/stability ${src/report_may})
 set(src/study_may src/run ${src/run_may})
 set(src/cli_may src/study src/tables ${src/study_may})
+set(src/python_may src/run ${src/run_may})
 set(src/include_may src/run ${src/run_may})  # the header of the installed library
 
 # Of the engine, src/io sees what is in files and formulas alone, no simulation.
