@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Cost of an update where only some particles are active, and of a blast with steps of the particles' own.
 #include <cmath>
 #include <numbers>
@@ -8,7 +10,7 @@
 #include "kernels/passes/schedule.hpp"
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/hoct.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/registry.hpp"
 #include "src/schemes/sphs.hpp"
 

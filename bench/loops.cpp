@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The parts of a step apart: the cell build, the density loop, the rates loop.
 #include "bench/measure.hpp"
 #include "kernels/passes/gradients.hpp"
@@ -5,7 +7,7 @@
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "kernels/smoothing/hoct.hpp"
 #include "src/engine/output.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "src/schemes/sph.hpp"
 #include "src/schemes/sphs.hpp"

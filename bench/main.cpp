@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Kokkos around Google Benchmark; OMP_NUM_THREADS sets the threads.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Whole time-steps, every particle active, over sizes, neighbour numbers and precisions.
 #include "bench/measure.hpp"
 #include "src/schemes/registry.hpp"

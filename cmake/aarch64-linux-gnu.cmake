@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake --toolchain cmake/aarch64-linux-gnu.cmake -B build/aarch64    For 64-bit ARM with NEON, on a machine of another kind,
 # with Debian's cross compiler (g++-aarch64-linux-gnu); tests run under qemu-user, where that is installed. The libraries
 # are those of the machine, installed for arm64, or of the folder that SPHK_SYSROOT (-D or environment) names, which

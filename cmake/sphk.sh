@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+
 # bash cmake/sphk.sh run SCENE... | test [ctest option...] | any other sub-command of sphk
 #
 # Installs the Debian packages that are missing (as root, or with a sudo that asks no password), gets Kokkos,

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DOUT=FILE -DFLAGS=... -P sphk_abi.cmake HEADER... : writes SPHK_ABI, by which sphk knows whether a module was
 # compiled against the same headers as itself, with the same compiler and flags that matter to both.
 cmake_minimum_required(VERSION 3.24)

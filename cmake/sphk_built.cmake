@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The libraries of a build folder that is there (SPHK_BUILT), in place of compiling them again.
 
 set(sphk_built_parts engine schemes scenes io report stability)

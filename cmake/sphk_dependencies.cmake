@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Host libraries, all packaged by Debian: HDF5, fmt, toml11, CLI11, nlohmann-json, Eigen.
 
 find_package(HDF5 REQUIRED COMPONENTS C)

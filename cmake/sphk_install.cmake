@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk::sphk, the whole library under one name, and its installation: find_package(sphk) gives the same name. Headers go
 # to include/sphk/{kernels,src}, so that an #include reads the same in this tree and outside it.
 

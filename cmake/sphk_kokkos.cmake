@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Kokkos: one that is installed, else the pinned release, built once and kept in SPHK_CACHE for every build folder.
 # Set the backend and the architecture with Kokkos' own options (Kokkos_ENABLE_CUDA, Kokkos_ARCH_HOPPER90, ...).
 

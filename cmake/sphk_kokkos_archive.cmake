@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_kokkos_archive(out folder): an archive that holds the Kokkos source tree, in `folder`; `out` gets its path, and
 # ${out}_SHA256 its hash. The roads are tried in the order of SPHK_KOKKOS_ROADS; a file whose hash differs is deleted.
 # Script mode (cmake -P) may call it too, which is how the tests reach the roads one by one.

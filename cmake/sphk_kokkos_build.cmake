@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_kokkos_build(prefix): Kokkos, built from source and installed in a folder of SPHK_CACHE; `prefix` gets its path.
 # The folder's name is a hash over all that the build depends on, its "recipe", which is written down there when the
 # installation is complete. Only a folder whose recipe agrees, the archive's hash included, is used again.

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_kokkos_patch(tree): two calls in Kokkos 4.7.0 take other arguments since CUDA 13 (CUDA Runtime API, release notes
 # of 13.0): cudaGraphAddDependencies an edge-data pointer, cudaMemPrefetchAsync a location and a flag. Older CUDA keeps
 # the original lines.

@@ -1,4 +1,6 @@
-# Schemes as shared objects: lib/sphk/NAME_Dd_PRECISION.so beside the libraries, loaded when asked for. What is not built
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Schemes as shared objects: lib/sphk/NAME_Dd.so beside the libraries, loaded when asked for. What is not built
 # is compiled when a run asks for it, in the build folder alone; `sphk_modules` builds all.
 
 include(GNUInstallDirs)

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_kernels: the device code, header-only. Everything else links it, directly or not.
 
 add_library(sphk_kernels INTERFACE)

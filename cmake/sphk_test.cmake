@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_test(NAME SOURCES a.cpp... [LIBRARIES target...] [LABELS label...])
 # One GoogleTest executable and one ctest of that name. tests/main.cpp starts and ends Kokkos around the tests.
 

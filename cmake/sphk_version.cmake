@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # sphk_version: gives `#include <sphk_version.hpp>`. Written again when a commit or a checkout moves HEAD, without a
 # new configuration. Run as a script (cmake -P) it fills in the git revision, else it makes the target.
 

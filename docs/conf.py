@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Sphinx: pages in MyST, what the program tells of itself, and the C++ interface by way of Doxygen.
 
     pip install -r docs/requirements.txt         # and doxygen, from your system
@@ -29,8 +30,13 @@ html_css_files = ["pages.css"]
 html_theme_options = {"navigation_with_keys": False}
 smartquotes = False  # they would join the hyphens of --options
 copybutton_prompt_text = "$ "
-# Types of the standard library and of Kokkos have no page here.
-nitpick_ignore_regex = [(r"cpp:.*", r".*")]
+# Types of the standard library, of Kokkos and of numpy have no page here.
+nitpick_ignore_regex = [(r"cpp:.*", r".*"), (r"py:.*", r".*")]
+sys.path.insert(0, str(generate.PYTHON))
+autodoc_mock_imports = ["sphk._sphk"]  # what is compiled
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # docstrings have shapes and units
+default_role = "literal"  # of `words` in docstrings
 
 
 breathe_default_project = "sphk"
@@ -42,6 +48,17 @@ breathe_show_include = False
 def fill_in(app, page, source):
     """Puts what the program tells in the place of `% generated: NAME`."""
     source[0] = re.sub(r"^% generated: (\w+)$", lambda line: generate.PAGES[line[1]](), source[0], flags=re.MULTILINE)
+
+
+def list_arguments(app, what, name, thing, options, lines):
+    """Makes lists of docstrings' paragraphs that are "name    meaning" by line, with further lines indented."""
+    texts = "\n".join(lines).replace("*", "\\*").split("\n\n")
+    for k, text in enumerate(texts):
+        rows = re.split(r"\n(?=\S)", text)
+        found = [re.fullmatch(r"(\S+(?: \S+)*) {2,}(\S.*)", row, re.DOTALL) for row in rows]
+        if all(found):
+            texts[k] = "\n".join(f"``{row[1]}``\n    {' '.join(row[2].split())}" for row in found)
+    lines[:] = "\n\n".join(texts).split("\n")
 
 
 def read_headers(app, config):
@@ -57,3 +74,4 @@ def setup(app):
     os.environ.setdefault("SPHK_PROGRAM", "sphk")
     app.connect("config-inited", read_headers)
     app.connect("source-read", fill_in)
+    app.connect("autodoc-process-docstring", list_arguments)

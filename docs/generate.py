@@ -1,8 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pages that the program writes: its commands, scenes, schemes and keys, as it tells them itself. conf.py puts each in
 the place of the line `% generated: NAME` of a page.
 To see one: SPHK_PROGRAM=build/openmp/bin/sphk python3 docs/generate.py commands"""
 
-import importlib.util
 import os
 import re
 import subprocess
@@ -10,7 +10,9 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cmake" / "packaging"))
+ROOT = Path(__file__).resolve().parent.parent
+PYTHON = ROOT / "src" / "python"
+sys.path.insert(0, str(ROOT / "cmake" / "packaging"))
 from help_tree import command_of  # noqa: E402
 
 LABEL = re.compile(r"^  (\S[\w ]*?)  +(\S.*)$")  # "  passes       kick and drift -> ..."
@@ -140,10 +142,25 @@ def keys():
 
 
 def python():
-    """The Python package by its docstrings, where it is installed."""
-    if importlib.util.find_spec("sphk") is None:
-        return "The package was not there when these pages were built; `python3 -m pydoc sphk` prints what belongs here."
-    return "```{eval-rst}\n.. automodule:: sphk\n   :members:\n   :imported-members:\n```"
+    """The Python package by its docstrings, where its sources are."""
+    if not (PYTHON / "sphk" / "simulation.py").exists():
+        return "There is no Python package in this tree."
+    sections = {
+        "Gas": ["class:: Particles"],
+        "Simulations": ["class:: Simulation", "class:: fields.Fields"],
+        "Arranging particles": ["module:: ic"],
+        "Scenes and runs": ["function:: scene", "class:: Scene", "function:: load", "class:: Run", "class:: folder.Snapshot"],
+        "Films and studies": ["function:: movie", "function:: study"],
+    }
+    pages = []
+    for title, items in sections.items():
+        directives = []
+        for item in items:
+            kind, _, name = item.partition(":: ")
+            members = "" if kind == "function" else "   :members:\n"
+            directives.append(f".. auto{kind}:: sphk.{name}\n{members}")
+        pages.append(f"## {title}\n\n```{{eval-rst}}\n" + "\n".join(directives) + "```\n")
+    return "\n".join(pages)
 
 
 PAGES = {function.__name__: function for function in (commands, scenes, schemes, keys, python)}

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A virtual environment with packages from pip, made once."""
 
 import subprocess

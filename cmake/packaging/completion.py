@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Completion of bash or zsh from the help of the commands. Usage: completion.py SPHK bash|zsh FILE"""
 
 import re

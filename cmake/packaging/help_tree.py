@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the command line says of itself: the help of every command, as data."""
 
 import re

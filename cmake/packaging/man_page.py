@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """sphk.1, the man page, from the help of the commands. Usage: man_page.py SPHK FILE"""
 
 import datetime

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -C cmake/presets/debug.cmake -B build/debug    AddressSanitizer, UndefinedBehaviorSanitizer and View bounds checks.
 # The checks that are left out take three quarters of the compile time and half of the tests' time; what most of them
 # find, the others find as well: a null or stray pointer is caught when it is followed. Not caught is the use of a local

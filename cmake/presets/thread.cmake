@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -C cmake/presets/thread.cmake -B build/thread    ThreadSanitizer, with clang: its OpenMP runtime (libomp-dev) loads
 # libarcher, which says where threads wait for each other; gcc's says nothing, and every loop would pass for a race. Then
 # export TSAN_OPTIONS="ignore_noninstrumented_modules=1 suppressions=$PWD/cmake/presets/thread.supp" OMP_NUM_THREADS=2

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A ball of hot gas in a periodic box of cold gas, in 2D, as an HDF5 file in SWIFT's layout. Usage: hot_ball.py FILE"""
 
 import sys

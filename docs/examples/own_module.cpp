@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What own_scheme.hpp defines, for the command line: sphk run standing-wave --scheme rubbing --module libown_module.so
 #include <sphk_module.hpp>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A run under the scheme of own_scheme.hpp.
 #include <cstdio>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A smoothing kernel, a field, a term with a number, a scheme and a scene of one's own.
 #pragma once
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A weak standing wave in a periodic tube, by the default scheme, through the library.
 #include <Kokkos_Core.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/host_columns.hpp"
 
 #include <algorithm>

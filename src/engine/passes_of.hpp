@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <algorithm>
@@ -11,92 +12,22 @@
 
 namespace sphk {
 
-namespace detail {
+// What hangs neither on the smoothing kernel nor on the pair arithmetic is compiled once for all of a recipe's: a
+// compiler's time is long. Defined in recipe_parts.hpp, which code with schemes of its own includes as well.
 
-template <class P>
-constexpr PassFacts pass_facts() {
-  if constexpr (requires(const Given& given) { P::wanted(given); })
-    return {P::name, &P::wanted};
-  else
-    return {P::name, +[](const Given&) { return true; }};
-}
-
-/// Row of the density that the equations of motion take: that of the last pass that makes pressures of one.
-template <class L, class P>
-constexpr int state_density_row(int row) {
-  if constexpr (requires { typename P::StateDensity; })
-    return component_offset<L::dimension, typename P::StateDensity, typename L::Fields>;
-  else
-    return row;
-}
-
-/// Does pass P compute the field in this row?
-template <class R, class L, class P>
-constexpr bool writes_row(int row) {
-  bool found = false;
-  for_each_type(typename PassIn<P, R>::Writes{}, [&]<class F>() {
-    if constexpr (contains<F, typename L::Fields>)
-      found = found || component_offset<L::dimension, F, typename L::Fields> == row;
-  });
-  return found;
-}
-
-}  // namespace detail
-
-/// What a recipe with layout L tells the run that it serves, but for what hangs on kernel and pair arithmetic. Apart
-/// from the schemes that differ in these two alone, as is what follows: a compiler's time is long.
+/// What a recipe with layout L tells the run that it serves, but for what hangs on these.
 template <class R, class L>
-[[gnu::noinline]] CompiledFacts facts_of_recipe() {
-  CompiledFacts facts;
-  facts.fields = field_places<L::dimension, typename L::Fields>;
-  facts.rows = Particles<L>::Columns::size;
-  facts.bytes_per_particle = bytes_per_particle<L>;
-  facts.stiffness = &stiffness<R>;
-  for_each_type(typename R::StepPasses{}, [&]<class P>() {
-    if (std::is_same_v<P, SmoothingLength>) facts.support_pass = static_cast<int>(facts.passes.size());
-    facts.passes.push_back(detail::pass_facts<P>());
-    facts.state_density_row = detail::state_density_row<L, P>(facts.state_density_row);
-  });
-  int pass = 0;
-  for_each_type(typename R::StepPasses{}, [&]<class P>() {
-    if (detail::writes_row<R, L, P>(facts.state_density_row)) facts.density_pass = pass;
-    ++pass;
-  });
-  if constexpr (contains<Alpha, typename L::Fields>)
-    facts.alpha_row = component_offset<L::dimension, Alpha, typename L::Fields>;
-  return facts;
-}
-
+CompiledFacts facts_of_recipe();
 /// Runs a pass that needs neither.
 template <class R, class L>
-[[gnu::noinline]] void run_particle_pass(int pass, RunOf<L>& run) {
-  int k = 0;
-  for_each_type(typename R::StepPasses{}, [&]<class P>() {
-    const bool here = k++ == pass;
-    if constexpr (!is_over_pairs<P>) {
-      if (here) P::template run<L>(run);
-    }
-  });
-}
-
+void run_particle_pass(int pass, RunOf<L>& run);
+/// Predicts all of sleeping particles.
+template <class L>
+void predict_sleepers(const RunOf<L>& run);
 /// One right-hand side of recipe R, which the passes have just computed, with kernel K, in double.
 template <class R, class L, class K>
-[[gnu::noinline]] std::vector<Field> rates_of_recipe(const RunOf<L>& run, std::span<const FieldPlace> places,
-                                                     const Smoothing<K, L::dimension>& smoothing, bool split) {
-  const State<Scheme<R, L::dimension, K, double>> state{run.state.template as<L>(), smoothing};
-  const HostColumns<L> host(state);
-  std::vector<Field> fields = shown_in_rates(host, places);
-  append_derived_rates<L>(fields, state, host, run.given);
-  const auto sums = sums_of_rates(state, run.given);
-  using Sums = std::remove_const_t<decltype(sums)>;
-  const HostRows rows(host, sums.data, sums.stride);
-  for (Field& field : shown_in_rates(rows, field_places<L::dimension, typename Sums::Fields>))
-    if (std::ranges::find(fields, field.name, &Field::name) == fields.end()) fields.push_back(std::move(field));
-  if (split)
-    for (Field& field : shares(rows, shares_of_terms<typename R::RateTerms::List, Sums>()))
-      fields.push_back(std::move(field));
-  return fields;
-}
+std::vector<Field> rates_of_recipe(const RunOf<L>& run, std::span<const FieldPlace> places,
+                                   const Smoothing<K, L::dimension>& smoothing, bool split);
 
 /// What scheme S tells the run that it serves.
 template <class S>
@@ -129,7 +60,7 @@ class PassesOf final : public SchemePasses<BaseLayout<typename S::Layout>> {
     if (!over_pairs) run_particle_pass<R, L>(pass, run);
   }
 
-  void predict(const RunOf<L>& run) const override { sphk::predict<L>(run, {}); }
+  void predict(const RunOf<L>& run) const override { predict_sleepers<L>(run); }
 
   std::vector<Field> rates(const RunOf<L>& run, bool split) const override {
     if constexpr (is_complete<R>) {

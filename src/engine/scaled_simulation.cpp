@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/scaled_simulation.hpp"
 
 #include "kernels/core/error_fields.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 /// The whole library: particles, settings, schemes, scenes, files, runs. The smoothing kernels and terms, for code that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 /// What a module of one's own includes: a shared object with a scheme, smoothing kernel, term or scene, which every

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 /// What a scheme, a term, a smoothing kernel or a scene of one's own needs beside <sphk.hpp>

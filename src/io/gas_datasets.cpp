@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/gas_datasets.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #define H5_USE_110_API  // HDF5 1.12 and newer then offer the functions of 1.10, which Debian 12 has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/input_file.hpp"
 
 #include "src/engine/errors.hpp"

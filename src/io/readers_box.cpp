@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/readers_box.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/virtual_dataset.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/file_scene.hpp"
 
 #include <fmt/format.h>

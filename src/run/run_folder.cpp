@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/run_folder.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 
 #include "src/engine/errors.hpp"
 #include "src/io/atomic_file.hpp"
+#include "src/run/watch.hpp"
 
 namespace sphk {
 
@@ -20,6 +22,7 @@ constexpr const char* verdict_files[] = {"run.json", "checkpoint_a.hdf5", "check
 /// Does a run leave a file of this name?
 bool is_run_file(const std::string& name) {
   if (std::ranges::find(verdict_files, name) != std::end(verdict_files)) return true;
+  if (std::ranges::find(watch_pictures, name) != watch_pictures.end()) return true;
   for (const char* fixed : {"scene.used.toml", "history.csv", "run.hdf.series", "stop"})
     if (name == fixed) return true;
   return (name.starts_with("snap_") && (name.ends_with(".hdf5") || name.ends_with(".png"))) || name == "history.png";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/run/watch.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ void Watch::draw(const Simulation& simulation) {
   const fs::path snapshot = folder_ / "state.hdf5";
   write_snapshot(snapshot, simulation.view(), output_.info());
   std::vector<std::string> words{this_executable().string(), "plot", snapshot.string(), "--out",
-                                 (folder_ / "watch.png").string()};
+                                 (folder_ / watch_pictures[0]).string()};
   if (map_) words.insert(words.end(), {"--field", "rho"});
   drawing_ = std::make_unique<Process>(
       words, Process::Streams{.output = folder_ / "log.txt", .variables = {{"OMP_NUM_THREADS", "1"}}});
@@ -47,7 +48,7 @@ void Watch::take() {
   const int code = drawing_->wait();
   drawing_.reset();
   if (code == 0) {
-    for (const char* name : {"watch.png", "watch_map.png"})
+    for (const char* name : watch_pictures)
       if (fs::exists(folder_ / name)) fs::rename(folder_ / name, output_.folder() / name);
     return;
   }

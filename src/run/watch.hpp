@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +13,9 @@
 #include "src/run/run_output.hpp"
 
 namespace sphk {
+
+/// The pictures that it leaves: what `sphk plot` makes of a snapshot, a figure and for some scenes a map beside it.
+inline constexpr std::array watch_pictures{"watch.png", "watch_map.png"};
 
 /// A picture of a run as it is, OUT/watch.png, drawn anew every so many seconds of wall-clock time by a process beside
 /// the run, which goes on meanwhile. It sees the state alone; where it cannot draw, a note says so, once.

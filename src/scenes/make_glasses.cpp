@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // make_glasses FOLDER: the glasses that come with sphk, those of the usual scenes, anew (cmake --build build --target
 // glasses).
 #include <Kokkos_Core.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/scenes/smooth_layers.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include "src/schemes/catalogue.hpp"
@@ -5,9 +6,9 @@
 
 namespace sphk {
 
-/// The compiled recipes of a scheme of known_schemes(), in so many dimensions and with that precision.
-const Instantiations& compiled_rows(const std::string& scheme, int dimension, const std::string& precision);
-/// Those of all schemes, dimensions and precisions.
+/// The compiled recipes of a scheme of known_schemes(), in so many dimensions.
+const Instantiations& compiled_rows(const std::string& scheme, int dimension);
+/// Those of all schemes and dimensions.
 Instantiations compiled_rows();
 
 /// A simulation under a scheme of one's own (make_simulation.hpp).

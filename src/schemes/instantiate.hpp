@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <algorithm>
@@ -90,35 +91,30 @@ struct PairNumbersOf<R> {
   using type = typename R::PairNumbers;
 };
 
-template <class S, int D, class T, int part, int parts, class... R>
+template <class S, int D, class T, class... R>
 void append_recipes(Instantiations& rows, List<R...>) {
-  const auto add = [&]<class One, int place>() {
-    if constexpr (place % parts == part && contains<T, typename PairNumbersOf<One>::type>)
+  const auto add = [&]<class One>() {
+    if constexpr (contains<T, typename PairNumbersOf<One>::type>)
       append<S, One, D, T>(rows, typename One::Kernels::template in<D>{});
   };
-  [&]<int... place>(std::integer_sequence<int, place...>) {
-    (add.template operator()<R, place>(), ...);
-  }
-  (std::make_integer_sequence<int, sizeof...(R)>{});
+  (add.template operator()<R>(), ...);
 }
 
 }  // namespace detail
 
-template <class S, int D, class T, int part, int parts>
+template <class S, int D, class T>
 Instantiations instantiate() {
   Instantiations rows;
-  detail::append_recipes<S, D, T, part, parts>(rows, typename S::Recipes{});
+  detail::append_recipes<S, D, T>(rows, typename S::Recipes{});
   return rows;
 }
 
 /// All rows of scheme S.
 template <class S>
 Instantiations all_rows_of() {
-  Instantiations rows;
-  const auto append = [&](Instantiations some) { std::ranges::move(some, std::back_inserter(rows)); };
-  append(rows_of<S, 1, float>()), append(rows_of<S, 1, double>());
-  append(rows_of<S, 2, float>()), append(rows_of<S, 2, double>());
-  append(rows_of<S, 3, float>()), append(rows_of<S, 3, double>());
+  Instantiations rows = rows_of<S, 1>();
+  std::ranges::move(rows_of<S, 2>(), std::back_inserter(rows));
+  std::ranges::move(rows_of<S, 3>(), std::back_inserter(rows));
   return rows;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <algorithm>
@@ -39,19 +40,15 @@ struct Instantiation {
 
 using Instantiations = std::vector<Instantiation>;
 
-/// Rows of scheme S in D dimensions with pairs in T (float or double); of its recipes each `parts`-th, from the
-/// `part`-th on. Defined in instantiate.hpp; a source file each.
-template <class S, int D, class T, int part = 0, int parts = 1>
+/// Rows of scheme S in D dimensions with pairs in T (float or double). Defined in instantiate.hpp; a source file each.
+template <class S, int D, class T>
 Instantiations instantiate();
 
-/// All rows of scheme S in D dimensions with pairs in T.
-template <class S, int D, class T, int parts = 1>
+/// All rows of scheme S in D dimensions.
+template <class S, int D>
 Instantiations rows_of() {
-  Instantiations rows;
-  [&]<int... part>(std::integer_sequence<int, part...>) {
-    (std::ranges::move(instantiate<S, D, T, part, parts>(), std::back_inserter(rows)), ...);
-  }
-  (std::make_integer_sequence<int, parts>{});
+  Instantiations rows = instantiate<S, D, float>();
+  std::ranges::move(instantiate<S, D, double>(), std::back_inserter(rows));
   return rows;
 }
 

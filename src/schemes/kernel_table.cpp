@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/kernel_table.hpp"
 
 #include "kernels/smoothing/list.hpp"

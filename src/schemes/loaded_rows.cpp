@@ -1,4 +1,6 @@
-// Schemes as shared objects beside the library: NAME_2d_mixed.so and so on, in the folder sphk.
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Schemes as shared objects beside the library: NAME_2d.so and so on, in the folder sphk.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -50,7 +52,7 @@ void build(const fs::path& folder, const std::string& name, const std::string& c
   const FolderLock lock(folder);
   if (fits_this_build(folder / (name + ".so"))) return;
   const fs::path log = folder / (name + ".log");
-  fmt::print(stderr, "sphk: compiling {}, once (about 20 s on two cores)\n", name);
+  fmt::print(stderr, "sphk: compiling {}, once (20 s to a minute on two cores)\n", name);
   const std::string line = fmt::format("{} {} </dev/null >'{}' 2>&1", command, name, log.string());
   if (std::system(line.c_str()) != 0)
     throw InputError(fmt::format("{} could not be compiled; its log {} says why", name, log.string()));
@@ -58,17 +60,15 @@ void build(const fs::path& folder, const std::string& name, const std::string& c
 
 }  // namespace
 
-Instantiations rows_of_build(const std::string& scheme, int dimension, const std::string& precision) {
-  std::string name = fmt::format("{}_{}d_{}", scheme, dimension, precision);
+Instantiations rows_of_build(const std::string& scheme, int dimension) {
+  std::string name = fmt::format("{}_{}d", scheme, dimension);
   std::ranges::replace(name, '-', '_');
   const fs::path folder = module_folder(), file = folder / (name + ".so");
   if (const std::string command = build_command(folder); !command.empty() && !fits_this_build(file))
     build(folder, name, command);
   if (!fs::exists(file))
-    throw InputError(
-        fmt::format("{} is not there: this sphk was installed without the scheme {} in {}D with \"{}\" "
-                    "precision",
-                    file.string(), scheme, dimension, precision));
+    throw InputError(fmt::format("{} is not there: this sphk was installed without the scheme {} in {}D", file.string(),
+                                 scheme, dimension));
   const auto fill = SharedObject(file).function<void(Instantiations&)>("sphk_rows");
   Instantiations rows;
   fill(rows);

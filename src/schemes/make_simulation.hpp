@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/compiled_rows.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/scheme_entry.hpp"

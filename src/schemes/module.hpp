@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 #include <vector>
 
 #include "kernels/smoothing/own_kernel.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/scheme_entry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/modules.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <tuple>
+#include <utility>
 
 #include "src/engine/errors.hpp"
 #include "src/schemes/compiled.hpp"
@@ -52,20 +53,19 @@ void take(Module mine, const fs::path& file) {
   all.modules.push_back(std::move(mine));
 }
 
-Instantiations matching(const Instantiations& rows, const std::string& scheme, int dimension,
-                        const std::string& precision) {
+Instantiations matching(const Instantiations& rows, const std::string& scheme, int dimension) {
   Instantiations own;
   std::ranges::copy_if(rows, std::back_inserter(own), [&](const Instantiation& row) {
-    return row.scheme->name == scheme && row.dimension == dimension && row.precision == precision;
+    return row.scheme->name == scheme && row.dimension == dimension;
   });
   return own;
 }
 
-Instantiations find_rows(const std::string& scheme, int dimension, const std::string& precision) {
+Instantiations find_rows(const std::string& scheme, int dimension) {
   for (const Module& module : loaded().modules)
     if (std::ranges::any_of(module.schemes, [&](const SchemeEntry& own) { return own.facts->name == scheme; }))
-      return matching(module.rows, scheme, dimension, precision);
-  return rows_of_build(scheme, dimension, precision);
+      return matching(module.rows, scheme, dimension);
+  return rows_of_build(scheme, dimension);
 }
 
 void load_module(const fs::path& file) {
@@ -111,11 +111,11 @@ const Catalogue& known_schemes() {
   return loaded().catalogue;
 }
 
-const Instantiations& compiled_rows(const std::string& scheme, int dimension, const std::string& precision) {
-  static std::map<std::tuple<std::string, int, std::string>, Instantiations> found;
-  const auto key = std::tuple(scheme, dimension, precision);
+const Instantiations& compiled_rows(const std::string& scheme, int dimension) {
+  static std::map<std::pair<std::string, int>, Instantiations> found;
+  const std::pair key(scheme, dimension);
   const auto there = found.find(key);
-  return (there != found.end() ? there : found.emplace(key, find_rows(scheme, dimension, precision)).first)->second;
+  return (there != found.end() ? there : found.emplace(key, find_rows(scheme, dimension)).first)->second;
 }
 
 }  // namespace sphk

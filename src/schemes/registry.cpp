@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/registry.hpp"
 
 #include <fmt/format.h>
@@ -113,7 +114,7 @@ double min_neighbours(const std::string& kernel, int dimension) {
 
 SchemeDescription describe(const SimulationSettings& asked, const ParticleSet& particles) {
   const SimulationSettings settings = resolved(asked, particles.dimension);
-  const Instantiations& rows = compiled_rows(settings.scheme, particles.dimension, settings.precision);
+  const Instantiations& rows = compiled_rows(settings.scheme, particles.dimension);
   SimulationSettings whole = settings;
   whole.all_terms = true;
   const GasTraits gas = traits_of(particles);
@@ -142,8 +143,7 @@ Instantiations compiled_rows() {
   Instantiations all;
   for (const SchemeEntry& scheme : known_schemes())
     for (const int dimension : {1, 2, 3})
-      for (const char* precision : {"mixed", "double"})
-        std::ranges::copy(compiled_rows(scheme.facts->name, dimension, precision), std::back_inserter(all));
+      std::ranges::copy(compiled_rows(scheme.facts->name, dimension), std::back_inserter(all));
   return all;
 }
 
@@ -163,7 +163,7 @@ std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const 
 std::unique_ptr<Simulation> make_simulation(const ParticleSet& particles, const SimulationSettings& settings) {
   check_runnable(particles);
   return make_simulation(particles, settings, scheme_entry(settings.scheme),
-                         compiled_rows(settings.scheme, particles.dimension, settings.precision));
+                         compiled_rows(settings.scheme, particles.dimension));
 }
 
 }  // namespace sphk

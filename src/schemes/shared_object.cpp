@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/shared_object.hpp"
 
 #include <dlfcn.h>

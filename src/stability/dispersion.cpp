@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/stability/dispersion.hpp"
 
 #include <fmt/format.h>

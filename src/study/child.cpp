@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/study/child.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/study/extreme_table.hpp"
 #include "src/report/print.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/study/study_compare.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Arrangements that break codes, from the scene `odd`: runs go on to their end, with sound numbers, and conserve.
 #include <gtest/gtest.h>
 

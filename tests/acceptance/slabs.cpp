@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Thin periodic slabs against the same gas laid out side by side, in which every neighbour counts once.
 #include <gtest/gtest.h>
 

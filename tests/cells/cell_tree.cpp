@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Sorting and cells against what they promise, checked particle by particle.
 #include "kernels/cells/cell_tree.hpp"
 

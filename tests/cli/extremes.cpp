@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // `sphk extremes`: what it reads, runs and requires.
 #include "src/study/extremes.hpp"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Figures of any field; streams and files of studies. Usage: fields.py SPHK; exit code 77: no matplotlib."""
 
 import datetime

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """`sphk plot` gives PNG files that show something. Usage: figures.py SPHK; exit code 77: no matplotlib."""
 
 import base64

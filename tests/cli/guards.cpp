@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Wrong input ends with a sentence and its exit code; what looks wrong and is not runs.
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What stops a run in the middle and what cannot be resumed: no room on the disk, checkpoints of another run, nothing.
 #include <sys/resource.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What runs hold in memory at their peak, beside what their particles take on the device.
 #include <nlohmann/json.hpp>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Films and live pictures. Usage: movies.py SPHK; exit code 77: no matplotlib."""
 
 import os
@@ -95,6 +96,8 @@ class Movies(WithRun):
         self.assertFalse(os.path.exists(os.path.join(self.folder, "watched", ".watch")))
         rows = [self.rows(name + "/history.csv") for name in ("alone", "watched")]
         self.assertEqual(*rows, "the same numbers")
+        self.sphk(*run, "--steps", "1", "--overwrite", "--out", "watched")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "watched", "watch.png")), "it was of another run")
 
     def test_where_a_run_cannot_be_drawn_it_says_so_once(self):
         text = self.sphk("run", "kh12", "-n", "32", "--set", "scene.dimension=2", "--t-end", "0.1", "--watch", "0.01",

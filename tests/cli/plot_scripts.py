@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the drawing scripts make of work orders, in numbers. Usage: plot_scripts.py SPHK; exit code 77: no matplotlib."""
 
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A run that is stopped or killed and gone on with gives what it would have given. Usage: resume.py SPHK."""
 
 import glob

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A run's folder belongs to one process, holds all that its run needs, and loses nothing that another run comes from.
 #include <fmt/format.h>
 #include <hdf5.h>

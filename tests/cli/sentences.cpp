@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What a user gets who types something else than was meant: the sentence, or what was meant where there is no doubt.
 #include <nlohmann/json.hpp>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Every particle's sums are made by one thread, in an order that the cells set: one thread and two give the same bits.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the numbers of a run mean goes with them, from what the user says or a file says into all that the run leaves.
 #include "src/io/layouts.hpp"
 #include "tests/cli/sphk_executable.hpp"

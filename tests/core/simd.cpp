@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The pack vocabulary against the same operation lane by lane: the lanes are independent and every operation is exact
 // or rounded once, so results are equal.
 #include "kernels/core/simd.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Type lists, sets of field values and columns.
 #include "kernels/core/values.hpp"
 

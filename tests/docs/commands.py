@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Holds every `sphk` command in the pages, the README and the like against the program's own help: commands, options
 and scenes are there. So are the files that they link to. Usage: commands.py SPHK"""
 

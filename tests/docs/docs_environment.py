@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The environment in which pages are built and checked: docs/requirements.txt."""
 
 import sys

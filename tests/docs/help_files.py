@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The man page and the completion that are made from the program's help: the page has every command and option and no
 fault that mandoc knows; bash completes words by it. Usage: help_files.py SPHK"""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files that others' programs read: CITATION.cff, GitHub's templates and workflow, the container's recipe and Spack's.
 Usage: packaging_files.py ENVIRONMENT SPHK WORK"""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the pages with every warning an error; follows each link inside them; looks for what a page would load from
 elsewhere. Usage: pages.py ENVIRONMENT SPHK WORK"""
 

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -P snippets.cmake
 # Every C++ block of README.md and of the pages stands, line by line, in one of the examples that the tests compile.
 cmake_minimum_required(VERSION 3.24)

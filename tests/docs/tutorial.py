@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Does what a page of the tutorial says, as printed: its files are written and its commands run, in an empty folder beside
 docs/. Usage: tutorial.py SPHK PAGE"""
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Whole runs against exact solutions. Bounds are the peers' or the papers' own figures for the same problem and
 // resolution, or follow from the exact solution; none comes from a run of this code.
 #include <gtest/gtest.h>

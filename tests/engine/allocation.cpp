@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Nothing allocates inside a step, and a run holds the bytes that it says it does: counted by Kokkos' own tool hooks.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the classic schemes conserve, and how well.
 #include <gtest/gtest.h>
 

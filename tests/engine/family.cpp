@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The generalised family and V10's scheme against explicit sums written as R10, V10 print them, and the leading errors
 // of every scheme against R10 eq 28-30. Supports, densities and pairs are those of BruteForce; all in double, so that
 // what is compared differs by the order of sums alone (1e-13 of the largest term, a decade for cancellation), or by the

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What must not change a result: the order of the input, a boost, float against double pairs.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What a run does not need is neither computed nor allocated, and leaving it out changes no result.
 #include <gtest/gtest.h>
 

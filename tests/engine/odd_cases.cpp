@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Arrangements that break codes: the result is finite and right, or the error is a sentence.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What acts on the gas beside its own pairs: a central mass, and heat in mid-run.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // No result hangs on the user's units, nor on the first guesses that come with the particles.
 #include <gtest/gtest.h>
 

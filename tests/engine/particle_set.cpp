@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/engine/particle_set.hpp"
 
 #include <gtest/gtest.h>

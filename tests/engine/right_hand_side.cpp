@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The engine's rates against explicit sums over all pairs and images. Both are in double: they differ by the order of
 // sums (1e-13 of the largest term) and by the search for h, which ends within 1e-14 (a move of 1e-7, carried over to
 // second order); tolerances leave a decade for cancellation in the sums.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A run that is saved and restored goes on bit by bit, under every scheme.
 #include <gtest/gtest.h>
 

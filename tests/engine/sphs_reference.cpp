@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/engine/sphs_reference.hpp"
 
 #include <Eigen/Dense>

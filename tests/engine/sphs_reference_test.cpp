@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The explicit sums against what follows from the equations alone: exact fits, conservation, Galilean invariance and
 // two particles by hand. A sum of N terms in double loses about 1e-16 sqrt(N) of the sum of their absolute values;
 // 1e-13 of it leaves two decades.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // SPHS's rates against the explicit sums of SphsReference. Both are in double: tolerances as in right_hand_side.cpp,
 // times the condition number of the fits (some hundred) for what is fitted.
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Whole steps of SPHS: what is conserved, what a boost changes, what leaving out changes, steps of the particles' own.
 #include <gtest/gtest.h>
 

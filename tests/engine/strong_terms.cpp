@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Terms that are stronger than usual, and steps that are too long for them: the time-step follows, or the run counts
 // and says what it had to soften.
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The readers of HDF5 files: initial conditions, snapshots and checkpoints.
 #include "src/io/check.hpp"
 #include "src/io/checkpoint.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // fuzz_seeds FOLDER: small valid files to begin with, in FOLDER/toml and FOLDER/hdf5.
 #include <cstdio>
 #include <fstream>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The readers of text: scene files, study files, files of extremes, and the tables of other engines.
 #include "src/run/scene_file.hpp"
 #include "src/study/extremes.hpp"

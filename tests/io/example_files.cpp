@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // io_example write FILE DIMENSION: an example snapshot. io_example read FILE: the gas of FILE as text, one row each.
 // For layout.py, which looks at files with h5py instead of our own HDF5 layer.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/io/file_parts.hpp"
 
 #include "tests/io/example.hpp"

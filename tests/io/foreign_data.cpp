@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Datasets as other programs store them: in other files, in other numbers, in larger numbers of them, under a lock.
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Looks at snapshots with h5py: every attribute's name, type and shape that readers of SWIFT files rely on, the hard
 links, and initial conditions of kinds that only other writers make. Usage: layout.py IO_EXAMPLE"""
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The search for a support radius against functions n(h) whose roots are known.
 #include "kernels/passes/support_search.hpp"
 

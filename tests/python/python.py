@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds a wheel of a build folder's libraries and some schemes, installs it in a bare environment, and tries it from
 another folder. Usage: python.py SOURCE BUILD CMAKE"""
 
@@ -8,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 SKIPPED = 77
-MODULES = ["sph_1d_mixed", "sph_2d_mixed", "sphs_2d_mixed"]
+MODULES = ["sph_1d", "sph_2d", "sphs_2d"]
 TOOLS = ["scikit-build-core>=0.10", "nanobind>=2.2", "ninja"]  # of the wheel
 TRIED_WITH = ["pytest", "h5py", "matplotlib", "pandas", "nbconvert", "ipykernel"]
 HERE = Path(__file__).parent

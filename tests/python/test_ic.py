@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrangements of particles, against the densities that they are made from."""
 
 import numpy as np

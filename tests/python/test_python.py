@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What is Python's own: errors, signals, threads, names."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What today's readers show of our snapshots by their default calls: numbers, slices and projections.
 Usage: readers.py SPHK ENVIRONMENT"""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Small runs, and what is true of them: from what the scenes are, and from the points that ParaView is given."""
 
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """pynbody.load, and an image of the gas around the middle of the box."""
 
 import numpy as np

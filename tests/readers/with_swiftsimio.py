@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """swiftsimio.load, project_gas, and slice_gas through the middle of the box."""
 
 import numpy as np

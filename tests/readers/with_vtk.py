@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """VTK's reader of /VTKHDF, which ParaView uses for the files that run.hdf.series names."""
 
 import json

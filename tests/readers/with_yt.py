@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """yt.load, all_data, SlicePlot and ProjectionPlot."""
 
 import numpy as np

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Every pair loop of every scheme with one thread a particle, each walking the tree and adding up in double one pair
 // after the other, against the tiles that runs use: the same pairs, summed in another order.
 #include <gtest/gtest.h>
@@ -9,7 +11,7 @@
 
 #include "all_schemes.hpp"
 #include "kernels/terms/artificial_conductivity.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/engine/scheme_interface.hpp"
 #include "src/schemes/instantiate.hpp"
 #include "src/schemes/registry.hpp"

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // One resolver: the same scheme on the same gas computes the same, whoever asks, with a kernel and a neighbour number
 // that belong together.
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The gas of every scene in units that are other powers of two, under the scene's own scheme: the same bits.
 #include <gtest/gtest.h>
 

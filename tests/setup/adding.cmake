@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -DWORK=... -DGENERATOR=... -DSETTINGS=FILE -DKOKKOS=... -P adding.cmake
 # Adds a smoothing kernel, a field, a term with a number, a pass, a scheme and a scene to a copy of the tree, each a file
 # and its line, builds and runs: the command line knows them, and so do pictures, snapshots and lists.

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+
 # arm64.sh SOURCE WORK SPHK [CMAKE_OPTION...]
 # sphk for 64-bit ARM, which computes in packs of NEON, by cmake/aarch64-linux-gnu.cmake: the tests of packs, cells, terms and
 # passes run under qemu-user, and every scheme gives what SPHK, this machine's own program, gives of the same gas: one

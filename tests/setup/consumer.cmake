@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DROAD=installed|folder -DSOURCE=... -DBUILD=... -DWORK=... -DGENERATOR=...
 #       -DKOKKOS=... -DSETTINGS=FILE "-DTARGETS=a b" -P consumer.cmake
 # Builds docs/examples against sphk, installed from the build folder or added as a folder, and runs it.

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <Kokkos_Core.hpp>
 #include <cstdio>
 
 #include "kernels/passes/smoothing_length.hpp"
 #include "kernels/smoothing/cubic_spline.hpp"
 #include "src/engine/error_loops.hpp"
-#include "src/engine/passes_of.hpp"
+#include "src/engine/recipe_parts.hpp"
 #include "src/schemes/gadget2.hpp"
 #include "src/schemes/loops.hpp"
 #include "src/schemes/osph_coherent.hpp"

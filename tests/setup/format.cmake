@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -DFORMAT=clang-format -P format.cmake
 # Every source file is as .clang-format has it.
 cmake_minimum_required(VERSION 3.24)

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -P include_rules.cmake
 # Dependencies go one way: a folder of kernels/ or src/ includes only what its list below names, and links only that.
 # kernels/ includes nothing else but the standard library and Kokkos.

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -DWORK=... -P include_rules_catch.cmake
 # include_rules.cmake catches each kind of offence and lets the rest pass.
 cmake_minimum_required(VERSION 3.24)

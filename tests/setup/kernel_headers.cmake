@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Each header of kernels/ compiles on its own: one source file a header, which includes it and nothing else. Kokkos,
 # 3 s to parse, is precompiled, and given only to headers that include it, so that none can forget to.
 

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -DWORK=... -P kokkos_roads.cmake
 # The roads to Kokkos with a tiny archive: file:// stands for the release page, a stand-in for pip copies the archive.
 cmake_minimum_required(VERSION 3.24)

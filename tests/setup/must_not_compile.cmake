@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # must_not_compile(NAME SAYS): compiling must_not_compile/NAME.cpp fails, with what the regular expression SAYS.
 function(must_not_compile name says)
   add_library(must_not_compile_${name} OBJECT EXCLUDE_FROM_ALL must_not_compile/${name}.cpp)

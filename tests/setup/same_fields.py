@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """same_fields.py TOLERANCE A.hdf5 B.hdf5 FIELD...: do these fields of two snapshots, or of two files of `sphk rates`,
 agree? The largest difference counts, relative to the largest number of the field."""
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the debug preset is for: each of these ends the program with a report. The numbers come from the clock, so that
 // no compiler sees through them.
 #include <gtest/gtest.h>

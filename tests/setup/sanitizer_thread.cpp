@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What the thread preset is for: a loop whose threads add to one number without a word is reported, a reduction is not.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
 # cmake -DSOURCE=... -P spdx.cmake                  every source file begins with the SPDX line of the licence
 # cmake -DSOURCE=... -DADD=ON -P spdx.cmake         puts it where it is missing
 cmake_minimum_required(VERSION 3.24)

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+
 # bash sphk_sh.sh PROJECT WORK
 # cmake/sphk.sh stops with a clear sentence when something is missing. Stand-ins for dpkg-query, id, sudo and apt-get
 # play a Debian machine on which nothing is installed; the script runs on a copy, so it configures nothing here.

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+
 # tidy.sh SOURCE BUILD CLANG_TIDY: clang-tidy, as .clang-tidy has it, on the host code that the newest commits changed,
 # with the compiler options of the build. All of src takes an hour: TIDY=all does that.
 set -euo pipefail

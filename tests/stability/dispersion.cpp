@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Linear waves of SPH on lattices against published minima, against limits, and against runs of the engine.
 #include "src/stability/dispersion.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/study/plan.hpp"
 
 #include <gtest/gtest.h>

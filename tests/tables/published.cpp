@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/tables/published.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Every term on two particles in 1D against values worked out by hand, in double: equal to a few roundings.
 #include <cmath>
 

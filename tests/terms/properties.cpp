@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What every term owes to the loops and to physics, for all terms of all schemes: nothing beyond reach, what it claims
 // of action and reaction, Galilean invariance, and the same lines in a SIMD pack. A term enlists itself by standing in
 // a recipe.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 // What every term owes to physics, on two particles: action and reaction, Galilean invariance, nothing from a uniform
 // state at rest, nothing from coincident particles, and the same lines in a SIMD pack.
 #include <cmath>

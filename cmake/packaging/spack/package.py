@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """sphk for Spack. From the root of a clone:
 
 spack repo create mine && mkdir -p mine/packages/sphk && cp cmake/packaging/spack/package.py mine/packages/sphk

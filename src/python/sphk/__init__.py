@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Smoothed-particle hydrodynamics for compressible gas.
 
     gas = sphk.Particles(position=xy, mass=m, u=u, velocity=v, box=(1, 1), periodic=True)

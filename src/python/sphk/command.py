@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command `sphk`: the program of the package takes this process over."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The gas of a simulation, as arrays."""
 
 from __future__ import annotations

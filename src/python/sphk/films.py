@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Films of runs."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs as they lie in their folders."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrangements of particles: places, and where masses are equal, the mass of each. Boxes are as in Particles."""
 
 from __future__ import annotations

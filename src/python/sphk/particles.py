@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Gas of an initial condition, as arrays."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How far a run is, in one line that is written again and again: in terminals and notebooks."""
 
 import sys

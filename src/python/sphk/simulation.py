@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A simulation in progress."""
 
 from __future__ import annotations

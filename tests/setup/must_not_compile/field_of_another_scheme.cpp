@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/core/columns.hpp"
 
 // A pass stores a field that its scheme does not have.

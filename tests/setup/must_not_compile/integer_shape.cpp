@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "kernels/smoothing/cubic_spline.hpp"
 
 // A smoothing kernel at an integer q.

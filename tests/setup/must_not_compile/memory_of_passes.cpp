@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/sph.hpp"
 
 // Drifting needs the accelerations of the step before, and no rates are computed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/sph.hpp"
 
 // The rates come before the equation of state, whose pressures the terms read.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "src/schemes/sphs.hpp"
 
 // No pass fits the gradients that the switch reads.

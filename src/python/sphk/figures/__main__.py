@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws what a work order (JSON on standard input) asks for, and prints the names of the files. The arguments are the
 packages that this needs: exit code 86 where one of them is missing."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """How well the particles sample their kernels, as R10 Fig. 4: a row a run with its density, the particles around the
 steepest place, |E0|, its components (S12 Fig. 5) and P along the scene's own coordinate, and how far the nearest
 neighbours are."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Maps of a field: pictures that the command line projects, on scales of colours that several of them share."""
 
 from typing import NamedTuple

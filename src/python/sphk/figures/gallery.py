@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Thumbnails of runs, a picture each, and a sheet with all of them."""
 
 from .field_map import colours_of, draw_image, image_of

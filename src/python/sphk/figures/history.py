@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """history.csv: reading it, and the figure of conservation, energies, errors and measures against time."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Smoothing kernels, their slopes and half-mass radii, as S12 Fig. 1."""
 
 from .style import LINES, plt, save

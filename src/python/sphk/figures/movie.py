@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Films: maps of runs side by side, on one scale of colours and with one layout for all pictures."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pages that need nothing beside them, by Jinja's templates: they read well on a screen, small or dark, and printed."""
 
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Particles as light points, their means in bins, and the exact solution, one panel a field."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the figures need of a snapshot: positions, any field by name, and the scene's own coordinate."""
 
 import numpy as np

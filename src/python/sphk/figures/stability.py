@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Maps of omega^2/(k^2 c^2) over wave number and support radius, as R10 Figs. 1-3."""
 
 import numpy as np

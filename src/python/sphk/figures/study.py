@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Error against run time: four panels of a study, a line a method."""
 
 from .style import BAND, LINES, MARKERS, NOTE, OTHERS, plain_ticks, plt, save

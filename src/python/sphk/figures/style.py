@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Looks of all figures: colours that colour-blind readers tell apart (Okabe and Ito), sizes readable at half size."""
 
 import os
@@ -128,11 +129,11 @@ def set_view(panels, view):
 
 
 def short(value):
-    """0.0025, 310, 5.2 M"""
+    """0.0025, 310, 2000, 5.2 M"""
     for unit, name in ((1e12, " T"), (1e9, " G"), (1e6, " M"), (1e3, " k")):
         if value >= unit and value >= 1e4:
             return f"{value / unit:.3g}{name}"
-    return f"{value:.3g}"
+    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
 
 
 def plain_ticks(axis, low, high):
