@@ -19,10 +19,11 @@ std::string rough_text(double seconds) {
   return seconds < 3600 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// "cs 5, cs 20, cs 48": the pairs of a scheme in 1D, 2D and 3D.
+/// "cs 5, cs 20, cs 48": the pairs of a scheme in 1D, 2D and 3D; - where it has none.
 std::string usual_pairs(const SchemeFacts& scheme) {
   std::vector<std::string> pairs;
-  for (const KernelChoice& pair : scheme.usual) pairs.push_back(fmt::format("{} {:g}", pair.kernel, pair.neighbours));
+  for (const KernelChoice& pair : scheme.usual)
+    pairs.push_back(pair.kernel ? fmt::format("{} {:g}", pair.kernel, pair.neighbours) : "-");
   return fmt::format("{}", fmt::join(pairs, ", "));
 }
 

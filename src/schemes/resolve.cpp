@@ -86,7 +86,9 @@ std::string standard_energy(const SchemeEntry& scheme, bool mixes) {
 }
 
 const KernelChoice& usual_of(const SchemeFacts& scheme, int dimension) {
-  return scheme.usual[static_cast<std::size_t>(dimension - 1)];
+  const KernelChoice& usual = scheme.usual[static_cast<std::size_t>(dimension - 1)];
+  if (!usual.kernel) throw InputError(fmt::format("the scheme {} is not made for {}D", scheme.name, dimension));
+  return usual;
 }
 
 /// What a scene prefers of the method is meant for the scheme that it prefers: under another it is forgotten.

@@ -39,6 +39,11 @@ if(MODULES)
   expect("SPH with friction" "${sphk}" list --module "${module}")
   expect("scheme rubbing, kernel cubed" "${sphk}" run standing-wave --scheme rubbing --steps 3 --module "${module}"
          --set friction.k=2 --overwrite --out "${WORK}/rubbing")
+  execute_process(COMMAND "${sphk}" run uniform --set scene.dimension=2 -n 16 --scheme rubbing --module "${module}"
+                  ERROR_VARIABLE said RESULT_VARIABLE code OUTPUT_QUIET)
+  if(NOT code EQUAL 2 OR NOT said MATCHES "the scheme rubbing is not made for 2D")
+    message(SEND_ERROR "a scheme in a dimension that it is not made for: exit code ${code}, ${said}")
+  endif()
   # Under any scheme the kernel runs through the table; by the environment as well.
   set(ENV{SPHK_MODULE_PATH} "${module}")
   expect("scheme gadget2, kernel cubed" "${sphk}" run uniform --scheme gadget2 --kernel cubed --steps 1 -n 16
