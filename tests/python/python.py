@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Builds a wheel of a build folder's libraries and some schemes, installs it in a bare environment, and tries it from
-another folder. Usage: python.py SOURCE BUILD CMAKE"""
+another folder. Usage: python.py SOURCE BUILD CMAKE KOKKOS"""
 
 import os
 import subprocess
@@ -30,7 +30,7 @@ def environment(folder, packages):
     return python
 
 
-def main(source, build, cmake):
+def main(source, build, cmake, kokkos):
     build = Path(build)
     subprocess.run([cmake, "--build", build, "--target", "sphk", *MODULES], check=True)
     makes = environment(build / "python-tools", TOOLS)
@@ -38,7 +38,8 @@ def main(source, build, cmake):
     wheels = build / "wheels"
     tools = {**os.environ, "PATH": f"{makes.parent}:{os.environ['PATH']}"}
     subprocess.run([makes, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--wheel-dir", wheels,
-                    f"--config-settings=cmake.define.SPHK_BUILT={build}", f"--config-settings=build-dir={build}/wheel",
+                    f"--config-settings=cmake.define.SPHK_BUILT={build}",
+                    f"--config-settings=cmake.define.Kokkos_ROOT={kokkos}", f"--config-settings=build-dir={build}/wheel",
                     source], check=True, env=tools)
     wheel = max(wheels.glob("sphk-*.whl"), key=lambda file: file.stat().st_mtime)
     subprocess.run([tries, "-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", wheel], check=True)
