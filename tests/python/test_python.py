@@ -86,7 +86,7 @@ def test_other_threads_go_on():
     while any(thread.is_alive() for thread in threads):
         time.sleep(0.001)
         turns += 1
-    assert turns > 10
+    assert turns > 2  # a thread that kept the interpreter would let none through
     for sim in sims:
         assert np.array_equal(sim.fields.by_id("Velocities"), alone.fields.by_id("Velocities"))
 
