@@ -36,6 +36,11 @@ if(SPHK_MODULES)
   install(TARGETS sphk_command sphk_study sphk_tables LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endif()
 install(FILES "${PROJECT_BINARY_DIR}/include/sphk_abi.hpp" DESTINATION include/sphk)
+# Its own Kokkos comes along, so that the installation may be moved.
+if(SPHK_MODULES AND sphk_kokkos_prefix)
+  install(DIRECTORY "${sphk_kokkos_prefix}/lib/" DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+          FILES_MATCHING PATTERN "libkokkos*.so*" PATTERN cmake EXCLUDE)
+endif()
 install(EXPORT sphk_targets NAMESPACE sphk:: FILE sphkTargets.cmake DESTINATION "${sphk_config_folder}")
 install(DIRECTORY kernels src DESTINATION include/sphk FILES_MATCHING PATTERN "*.hpp" PATTERN include EXCLUDE)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/sphk")
